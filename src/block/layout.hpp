@@ -1,0 +1,106 @@
+#pragma once
+
+#include "block/grading.hpp"
+#include "core/error.hpp"
+#include "core/expression.hpp"
+#include "geometry/curve.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace blockfsi::block
+{
+
+/// A named corner of blocks.
+struct Point
+{
+  std::string name;
+  std::array<double, 3> x{};  ///< position [m]; the third is 0 in 2D
+  Location where;
+};
+
+/// What the user says of one edge; edges that nobody mentions are straight and uniform.
+struct Edge
+{
+  int a = 0;  ///< point at parameter 0
+  int b = 0;  ///< point at parameter 1
+  geometry::Curve curve = geometry::Segment{};
+  std::optional<Grading> grading;
+  std::optional<int> divisions;
+  Location where;
+};
+
+/// A quadrilateral over four points in counter-clockwise order. Side 0 runs from point 0 to 1, side 1 from
+/// 1 to 2, side 2 from 3 to 2, side 3 from 0 to 3: u runs along side 0, v along side 3.
+struct Block
+{
+  std::string name;
+  std::string region;
+  std::array<int, 4> points{};
+  Location where;
+};
+
+/// Boundary of all edges whose initial nodes fulfil a condition.
+struct ByCondition
+{
+  Condition condition;
+};
+
+/// Boundary of the edges around a hole of a drawn lattice, holes counted from 1 in reading order.
+struct ByHole
+{
+  std::string lattice;
+  int number = 1;
+};
+
+/// Boundary of listed edges, each by its two points.
+struct ByEdges
+{
+  std::vector<std::array<int, 2>> edges;
+};
+
+/// A named boundary. An edge can belong to one boundary only.
+struct Boundary
+{
+  std::string name;
+  std::variant<ByCondition, ByHole, ByEdges> rule;
+  Location where;
+};
+
+/// An edge of a hole, filled by the lattice that made it.
+struct HoleEdge
+{
+  std::string lattice;
+  int number = 1;
+  int a = 0;
+  int b = 0;
+};
+
+/// Grading of all edges that end at a boundary or a region (and do not lie on it): the cell there has the
+/// given size. Applies to the whole class of opposite edges in the same relative distribution, unless an
+/// edge has a grading of its own.
+struct GradeTowards
+{
+  std::vector<std::string> names;  ///< boundaries or regions
+  double first = 0.0;              ///< size of the cell that touches them [m]
+  Location where;
+};
+
+/// The domain as coarse blocks: everything that the mesh is made from.
+struct Layout
+{
+  int dim = 2;
+  int order = 2;  ///< 1..8
+  std::vector<Point> points;
+  std::vector<Block> blocks;
+  std::vector<Edge> edges;
+  std::vector<Boundary> boundaries;
+  std::vector<HoleEdge> hole_edges;
+  std::vector<GradeTowards> grade_towards;
+  int default_divisions = 0;  ///< for classes of edges without a count; 0: that is an error
+};
+
+}  // namespace blockfsi::block

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "block/layout.hpp"
+#include "coupling/parameters.hpp"
+#include "fem/time.hpp"
+#include "fluid/parameters.hpp"
+#include "output/parameters.hpp"
+#include "solid/parameters.hpp"
+
+#include "block/move.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace blockfsi::case_file
+{
+
+/// Everything that a case file says, checked: the parameters of all layers and the blocks.
+struct Case
+{
+  std::filesystem::path path;
+  std::string title;
+  Constants constants;
+  block::Layout layout;
+  std::vector<block::Follow> follows;
+  std::optional<fluid::Parameters> fluid;
+  std::optional<solid::Parameters> solid;
+  fem::TimeParameters time;
+  coupling::Parameters coupling;
+  output::Parameters output;
+  std::string petsc_options;  ///< passed through to PETSc
+};
+
+/// Reads and checks a case file. `overrides` are assignments "key.path=value" in TOML syntax that replace values
+/// of the file, as from the command line. Throws Error with the place of the first mistake.
+Case read(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
+
+}  // namespace blockfsi::case_file

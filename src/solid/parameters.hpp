@@ -1,0 +1,66 @@
+#pragma once
+
+#include "core/error.hpp"
+#include "core/expression.hpp"
+
+#include <array>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace blockfsi::solid
+{
+
+/// All displacements are zero.
+struct Fixed
+{
+};
+
+/// Prescribed displacement [m] of x, y, z, t.
+struct Displacement
+{
+  std::array<Expression, 3> value;
+};
+
+/// Dead traction P N [Pa] per area of the undeformed body, of x, y, z, t; the default where nothing is said is an
+/// error, a free boundary has traction 0.
+struct Traction
+{
+  std::array<Expression, 3> value;
+};
+
+using Condition = std::variant<Fixed, Displacement, Traction>;
+
+struct BoundaryCondition
+{
+  std::string boundary;
+  Condition condition;
+  Location where;
+};
+
+enum class Plane
+{
+  strain,
+  stress
+};
+
+struct Newton
+{
+  double tolerance = 1e-10;  ///< size of the last increment relative to the displacement [-]
+  int iterations = 25;
+};
+
+struct Parameters
+{
+  std::string region = "solid";
+  double density = 1000.0;  ///< of the undeformed body [kg/m^3]
+  double young = 1e6;       ///< of the St. Venant-Kirchhoff material [Pa]
+  double poisson = 0.3;     ///< [-]
+  Plane plane = Plane::strain;
+  std::array<Expression, 3> body_force;  ///< per mass [m/s^2]
+  int load_steps = 1;  ///< of a static solution
+  std::vector<BoundaryCondition> boundaries;
+  Newton newton;
+};
+
+}  // namespace blockfsi::solid
