@@ -4,7 +4,11 @@
 add_library(blockfsi_options INTERFACE)
 target_include_directories(blockfsi_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
 target_compile_options(blockfsi_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-                                                  -Wno-sign-conversion -Werror)
+                                                  -Wno-sign-conversion -Wno-psabi -Werror)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # g++ 12 warns of overlapping memcpy inside std::string (GCC bug 105329).
+  target_compile_options(blockfsi_options INTERFACE -Wno-restrict)
+endif()
 if(BLOCKFSI_NATIVE)
   target_compile_options(blockfsi_options INTERFACE -march=native)
 endif()
@@ -41,6 +45,8 @@ foreach(line ${lines})
   endforeach()
   if(layer STREQUAL "linalg")
     target_link_libraries(blockfsi_linalg PRIVATE ${needs_linalg})
+    # The C++ bindings of MPI are not used and would have to be linked.
+    target_compile_definitions(blockfsi_linalg PRIVATE OMPI_SKIP_MPICXX)
   else()
     target_link_libraries(blockfsi_${layer} PUBLIC ${needs_${layer}})
   endif()

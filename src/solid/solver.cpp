@@ -1,0 +1,271 @@
+#include "solid/solver.hpp"
+
+#include "fem/boundary.hpp"
+#include "linalg/communicator.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace blockfsi::solid
+{
+
+namespace
+{
+
+/// Gauss points along each direction: E is quadratic in the gradient, so S : dE has four times the degree.
+int quadrature_points(int order)
+{
+  return order + 2;
+}
+
+/// Dead load on a side.
+struct DeadTraction
+{
+  static constexpr int unknowns = 2;
+  static constexpr int data = 0;
+
+  const Traction* traction;
+  double time;
+  double factor;
+
+  template <class S>
+  std::array<S, 2> operator()(const fem::SideInput<S, 2, 0>& in) const
+  {
+    return {S(-factor * traction->value[0](in.x[0], in.x[1], 0.0, time)),
+            S(-factor * traction->value[1](in.x[0], in.x[1], 0.0, time))};
+  }
+};
+
+}  // namespace
+
+/// What Newton's method asks of the body during one solution.
+struct Solver::Problem
+{
+  Solver& solver;
+  Body body;
+  std::span<const double> origin;
+  std::span<const double> constant;  ///< part of the residual that does not change; null: none
+
+  std::array<fem::NodalField, 2> data() const { return {{{origin.data(), 2}, {solver.body_force_.data(), 2}}}; }
+
+  void residual(std::span<const double> d, std::span<double> r) const
+  {
+    if (constant.empty())
+      std::fill(r.begin(), r.end(), 0.0);
+    else
+      std::copy(constant.begin(), constant.end(), r.begin());
+    const auto fields = data();
+    solver.cells_.add_residual(body, solver.X_, d, fields, r);
+  }
+
+  void tangent(std::span<const double> d, std::span<double> matrices) const
+  {
+    const auto fields = data();
+    solver.cells_.tangent(body, solver.X_, d, fields, matrices);
+  }
+
+  void remember(std::span<const double> d) const
+  {
+    solver.linearisation_.inertia = body.inertia;
+    solver.linearisation_.stress_weight = body.stress_weight;
+    solver.linearisation_.d.assign(d.begin(), d.end());
+  }
+
+  double size(std::span<const double> increment, std::span<const double> d) const
+  {
+    std::array<double, 2> sums{};
+    for (const std::int32_t node : solver.numbering_->owned())
+      for (int c = 0; c < 2; ++c)
+      {
+        const std::size_t i = 2 * static_cast<std::size_t>(node) + c;
+        sums[0] += increment[i] * increment[i];
+        sums[1] += (d[i] - increment[i]) * (d[i] - increment[i]);
+      }
+    linalg::sum(sums);
+    if (sums[1] > 0.0)
+      return std::sqrt(sums[0] / sums[1]);
+    return sums[0] > 0.0 ? 1.0 : 0.0;
+  }
+};
+
+std::vector<Solver::Prescribed> Solver::find_prescribed(const Parameters& parameters, const mesh::Mesh& mesh,
+                                                        const linalg::Numbering& numbering)
+{
+  // Where boundaries meet, a fixed one wins over a prescribed displacement.
+  std::vector<int> winner(mesh.node_count(), 0);
+  std::vector<const Displacement*> values(mesh.node_count(), nullptr);
+  for (const BoundaryCondition& condition : parameters.boundaries)
+  {
+    const auto* displacement = std::get_if<Displacement>(&condition.condition);
+    if (std::holds_alternative<Traction>(condition.condition))
+      continue;
+    const int rank = displacement != nullptr ? 1 : 2;
+    const std::vector<std::uint8_t> marks = fem::nodes_on(mesh, numbering, condition.boundary);
+    for (std::size_t node = 0; node < marks.size(); ++node)
+      if (marks[node] != 0 && rank > winner[node])
+      {
+        winner[node] = rank;
+        values[node] = displacement;
+      }
+  }
+  std::vector<Prescribed> result;
+  for (std::size_t node = 0; node < winner.size(); ++node)
+    for (int c = 0; c < 2 && winner[node] > 0; ++c)
+      result.push_back({static_cast<std::int32_t>(node), c,
+                        values[node] != nullptr ? values[node]->value[c] : Expression()});
+  return result;
+}
+
+std::vector<std::uint8_t> Solver::fixed() const
+{
+  std::vector<std::uint8_t> marks(2 * mesh_->node_count(), 0);
+  for (const Prescribed& entry : prescribed_)
+    marks[2 * entry.node + entry.component] = 1;
+  return marks;
+}
+
+Solver::Solver(const Parameters& parameters, const mesh::Mesh& mesh, const linalg::Numbering& numbering,
+               std::span<const double> X, Timings& timings)
+    : parameters_(parameters),
+      mesh_(&mesh),
+      numbering_(&numbering),
+      timings_(&timings),
+      X_(X.begin(), X.end()),
+      cells_(mesh, quadrature_points(mesh.order)),
+      sides_(mesh, quadrature_points(mesh.order)),
+      prescribed_(find_prescribed(parameters, mesh, numbering)),
+      body_force_(2 * mesh.node_count(), 0.0),
+      system_(numbering, 2, mesh.cells, mesh.nodes_per_cell(), fixed(), "solid_")
+{
+}
+
+State Solver::initial() const
+{
+  const std::vector<double> zero(2 * mesh_->node_count(), 0.0);
+  return {zero, zero, 0.0};
+}
+
+void Solver::apply_conditions(double time, double factor, std::span<double> d) const
+{
+  for (const Prescribed& entry : prescribed_)
+  {
+    const std::size_t i = 2 * static_cast<std::size_t>(entry.node);
+    d[i + entry.component] = factor * entry.value(X_[i], X_[i + 1], 0.0, time);
+  }
+}
+
+void Solver::compute_body_force(double time)
+{
+  for (std::size_t i = 0; i < body_force_.size(); ++i)
+  {
+    const double* X = &X_[i - i % 2];
+    body_force_[i] = parameters_.body_force[i % 2](X[0], X[1], 0.0, time);
+  }
+}
+
+void Solver::add_tractions(double time, double factor, std::span<double> residual)
+{
+  for (const BoundaryCondition& condition : parameters_.boundaries)
+  {
+    const auto* traction = std::get_if<Traction>(&condition.condition);
+    const auto found = mesh_->boundaries.find(condition.boundary);
+    if (traction != nullptr && found != mesh_->boundaries.end())
+      sides_.add_residual(DeadTraction{traction, time, factor}, found->second, X_, residual, {}, residual);
+  }
+}
+
+linalg::NewtonReport Solver::solve(const Body& body, std::span<const double> origin,
+                                   std::span<const double> constant, std::span<double> d)
+{
+  if (linearisation_.inertia != body.inertia || linearisation_.stress_weight != body.stress_weight)
+    factors_.stale = true;
+  Problem problem{*this, body, origin, constant};
+  const linalg::NewtonLimits limits{parameters_.newton.tolerance, parameters_.newton.iterations};
+  const linalg::NewtonReport report = linalg::newton(limits, system_, factors_, problem, d, *timings_);
+  linearisation_.stale = factors_.stale;
+  return report;
+}
+
+linalg::NewtonReport Solver::advance(const fem::TimeStep& step, const State& old, std::span<const double> load,
+                                     std::span<double> d)
+{
+  const double theta = step.theta;
+  const double time = step.t + theta * step.step;
+  compute_body_force(time);
+  std::vector<double> origin(old.d.size());
+  for (std::size_t i = 0; i < origin.size(); ++i)
+    origin[i] = old.d[i] + step.step * old.v[i];
+
+  std::vector<double> constant(d.size(), 0.0);
+  {
+    const Stopwatch watch(*timings_, Task::assembly);
+    // Internal forces at the start of the step.
+    const Body at_start{lame(parameters_.young, parameters_.poisson, parameters_.plane), 0.0, 0.0, 1.0 - theta};
+    if (theta < 1.0)
+      Problem{*this, at_start, origin, {}}.residual(old.d, constant);
+    add_tractions(time, 1.0, constant);
+    for (const std::int32_t node : numbering_->owned())
+      for (int c = 0; c < 2; ++c)
+        constant[2 * node + c] -= load[2 * node + c];
+  }
+  apply_conditions(step.t + step.step, 1.0, d);
+  const Body body{lame(parameters_.young, parameters_.poisson, parameters_.plane),
+                  parameters_.density / (theta * step.step * step.step), parameters_.density, theta};
+  return solve(body, origin, constant, d);
+}
+
+linalg::NewtonReport Solver::solve_static(std::span<const double> load, std::span<double> d)
+{
+  compute_body_force(0.0);
+  const bool from_rest = !linalg::any(std::any_of(d.begin(), d.end(), [](double value) { return value != 0.0; }));
+  const int steps = from_rest ? parameters_.load_steps : 1;
+  const std::vector<double> origin(d.size(), 0.0);
+  linalg::NewtonReport report;
+  for (int s = 1; s <= steps; ++s)
+  {
+    const double factor = static_cast<double>(s) / steps;
+    std::vector<double> constant(d.size(), 0.0);
+    add_tractions(0.0, factor, constant);
+    for (const std::int32_t node : numbering_->owned())
+      for (int c = 0; c < 2; ++c)
+        constant[2 * node + c] -= factor * load[2 * node + c];
+    apply_conditions(0.0, factor, d);
+    const Body body{lame(parameters_.young, parameters_.poisson, parameters_.plane), 0.0,
+                    factor * parameters_.density, 1.0};
+    const linalg::NewtonReport one = solve(body, origin, constant, d);
+    report.status = one.status;
+    report.iterations += one.iterations;
+    report.renewals += one.renewals;
+    report.increment = one.increment;
+    if (one.status != linalg::NewtonStatus::converged)
+      break;
+  }
+  return report;
+}
+
+State Solver::finish(const fem::TimeStep& step, const State& old, std::span<const double> d) const
+{
+  State state;
+  state.d.assign(d.begin(), d.end());
+  state.v.resize(d.size());
+  for (std::size_t i = 0; i < d.size(); ++i)
+    state.v[i] = (d[i] - old.d[i]) / (step.theta * step.step) - (1.0 - step.theta) / step.theta * old.v[i];
+  state.time = step.t + step.step;
+  return state;
+}
+
+void Solver::restore(const Linearisation& linearisation)
+{
+  linearisation_ = linearisation;
+  factors_.stale = linearisation.stale || linearisation.d.empty();
+  if (factors_.stale)
+    return;
+  const Body body{lame(parameters_.young, parameters_.poisson, parameters_.plane), linearisation_.inertia, 0.0,
+                  linearisation_.stress_weight};
+  Problem{*this, body, linearisation_.d, {}}.tangent(linearisation_.d, system_.cell_matrices());
+  system_.assemble();
+  if (system_.factorise() != linalg::Status::ok)
+    factors_.stale = true;
+}
+
+}  // namespace blockfsi::solid
