@@ -1,1 +1,124 @@
-int main() { return 0; }
+#include "case/case.hpp"
+#include "case/describe.hpp"
+#include "core/error.hpp"
+#include "linalg/communicator.hpp"
+#include "linalg/session.hpp"
+#include "run/mesh.hpp"
+#include "run/run.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using blockfsi::run::Exit;
+
+struct Arguments
+{
+  std::string case_path;
+  std::vector<std::string> overrides;
+  std::string directory;
+  bool restart = false;
+  std::string mesh_output;
+};
+
+blockfsi::case_file::Case read(const Arguments& arguments)
+{
+  return blockfsi::case_file::read(arguments.case_path, arguments.overrides);
+}
+
+Exit run(const Arguments& arguments)
+{
+  const blockfsi::case_file::Case description = read(arguments);
+  blockfsi::linalg::add_options(description.petsc_options);
+  return blockfsi::run::run(description, {arguments.restart, arguments.directory});
+}
+
+Exit check(const Arguments& arguments)
+{
+  const blockfsi::case_file::Case description = read(arguments);
+  fmt::print("{}: no mistakes found\n", description.path.string());
+  return Exit::done;
+}
+
+Exit mesh(const Arguments& arguments)
+{
+  return blockfsi::run::make_mesh(read(arguments), arguments.mesh_output);
+}
+
+void add_case(CLI::App& command, Arguments& arguments)
+{
+  command.add_option("case", arguments.case_path, "case file (TOML)")->required();
+  command.add_option("--set", arguments.overrides, "replace a value of the case: section.key=value (TOML)")
+      ->allow_extra_args(false);
+}
+
+Exit dispatch(int count, char** values)
+{
+  CLI::App app("blockfsi: fluid-structure interaction with the mesh generator inside the solver");
+  app.require_subcommand(1);
+  Arguments arguments;
+
+  CLI::App* run_command = app.add_subcommand("run", "run a case");
+  add_case(*run_command, arguments);
+  run_command->add_option("--directory", arguments.directory, "folder of the results");
+  run_command->add_flag("--restart", arguments.restart, "continue from the newest checkpoint");
+
+  CLI::App* check_command = app.add_subcommand("check", "find the mistakes of a case without solving");
+  add_case(*check_command, arguments);
+
+  CLI::App* mesh_command = app.add_subcommand("mesh", "make the mesh of a case and report its quality");
+  add_case(*mesh_command, arguments);
+  mesh_command->add_option("-o,--output", arguments.mesh_output, "file to write (.vtu)");
+
+  CLI::App* describe_command = app.add_subcommand("describe", "explain every key of a case file");
+
+  try
+  {
+    app.parse(count, values);
+  }
+  catch (const CLI::ParseError& error)
+  {
+    // CLI11 prints help or the mistake and tells which it was.
+    return app.exit(error) == 0 ? Exit::done : Exit::user_error;
+  }
+  if (*describe_command)
+  {
+    fmt::print("{}", blockfsi::case_file::describe());
+    return Exit::done;
+  }
+  const blockfsi::linalg::Session session;
+  try
+  {
+    if (*run_command)
+      return run(arguments);
+    return *check_command ? check(arguments) : mesh(arguments);
+  }
+  catch (const blockfsi::Error& error)
+  {
+    if (blockfsi::linalg::part().rank == 0)
+      fmt::print(stderr, "{}\n", error.what());
+    return Exit::user_error;
+  }
+}
+
+}  // namespace
+
+int main(int count, char** values)
+{
+  try
+  {
+    return static_cast<int>(dispatch(count, values));
+  }
+  catch (const std::exception& error)
+  {
+    fmt::print(stderr, "blockfsi: internal error: {}\n", error.what());
+    return 70;
+  }
+}

@@ -6,8 +6,8 @@ target_include_directories(blockfsi_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
 target_compile_options(blockfsi_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                                                   -Wno-sign-conversion -Wno-psabi -Werror)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # g++ 12 warns of overlapping memcpy inside std::string (GCC bug 105329).
-  target_compile_options(blockfsi_options INTERFACE -Wno-restrict)
+  # g++ 12 wrongly warns of overlapping memcpy inside std::string (GCC bug 105329) and of overflows inside fmt.
+  target_compile_options(blockfsi_options INTERFACE -Wno-restrict -Wno-stringop-overflow)
 endif()
 if(BLOCKFSI_NATIVE)
   target_compile_options(blockfsi_options INTERFACE -march=native)

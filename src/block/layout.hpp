@@ -62,7 +62,8 @@ struct ByEdges
   std::vector<std::array<int, 2>> edges;
 };
 
-/// A named boundary. An edge can belong to one boundary only.
+/// A named boundary. An edge can belong to one boundary only. Conditions see outer edges only; holes and
+/// lists may also name edges between two regions. The name "interface" is reserved for these.
 struct Boundary
 {
   std::string name;
@@ -81,7 +82,8 @@ struct HoleEdge
 
 /// Grading of all edges that end at a boundary or a region (and do not lie on it): the cell there has the
 /// given size. Applies to the whole class of opposite edges in the same relative distribution, unless an
-/// edge has a grading of its own.
+/// edge has a grading of its own. Where several edges of a class ask, the smallest relative size wins at each
+/// end; sizes above that of equal cells change nothing.
 struct GradeTowards
 {
   std::vector<std::string> names;  ///< boundaries or regions

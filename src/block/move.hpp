@@ -25,9 +25,9 @@ struct Follow
 class SkeletonMotion
 {
 public:
-  /// `interface` lists skeleton numbers of the moving nodes, ascending. Points among them follow the interface,
-  /// points with a rule follow their leaders (which may be interface points or have rules themselves),
-  /// all others stay. Throws Error if rules run in a circle or move an interface point.
+  /// `interface` lists skeleton numbers of the moving nodes, ascending. Points among them follow the
+  /// interface, points with a rule follow their leaders (which may be interface points or have rules
+  /// themselves), all others stay. Throws Error if rules run in a circle or move an interface point.
   SkeletonMotion(const Skeleton& skeleton, std::vector<std::int64_t> interface, std::vector<Follow> rules);
 
   /// Skeleton coordinates for a displacement of the interface. Edges between moved points that are not on the

@@ -33,8 +33,8 @@ struct Case
   std::string petsc_options;  ///< passed through to PETSc
 };
 
-/// Reads and checks a case file. `overrides` are assignments "key.path=value" in TOML syntax that replace values
-/// of the file, as from the command line. Throws Error with the place of the first mistake.
+/// Reads and checks a case file. `overrides` are assignments "key.path=value" in TOML syntax that replace
+/// values of the file, as from the command line. Throws Error with the place of the first mistake.
 Case read(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 
 }  // namespace blockfsi::case_file

@@ -66,6 +66,23 @@ bool any(bool condition)
   return maximum(condition ? 1.0 : 0.0) > 0.5;
 }
 
+std::vector<std::byte> gather_bytes(std::span<const std::byte> mine)
+{
+  if (alone())
+    return {mine.begin(), mine.end()};
+  std::vector<std::byte> all(mine.size() * part().size);
+  const int count = static_cast<int>(mine.size());
+  MPI_Allgather(mine.data(), count, MPI_BYTE, all.data(), count, MPI_BYTE, MPI_COMM_WORLD);
+  return all;
+}
+
+std::int64_t from_first(std::int64_t value)
+{
+  if (!alone())
+    MPI_Bcast(&value, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
+  return value;
+}
+
 void barrier()
 {
   if (!alone())

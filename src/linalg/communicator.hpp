@@ -2,8 +2,10 @@
 
 #include "core/part.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace blockfsi::linalg
 {
@@ -18,6 +20,10 @@ double maximum(double value);
 double minimum(double value);
 /// Whether the condition holds on any process.
 bool any(bool condition);
+/// The bytes of every process, in the order of ranks; all give the same number.
+std::vector<std::byte> gather_bytes(std::span<const std::byte> mine);
+/// The value of process 0.
+std::int64_t from_first(std::int64_t value);
 /// Waits until all processes are here.
 void barrier();
 

@@ -39,10 +39,10 @@ struct Body
     const Lanes one = lanes(1.0);
     const S F[2][2] = {{grad[0][0] + one, grad[0][1]}, {grad[1][0], grad[1][1] + one}};
     const Lanes half = lanes(0.5);
-    // E = (F^T F - I) / 2
-    const S E11 = half * (F[0][0] * F[0][0] + F[1][0] * F[1][0] - one);
-    const S E22 = half * (F[0][1] * F[0][1] + F[1][1] * F[1][1] - one);
-    const S E12 = half * (F[0][0] * F[0][1] + F[1][0] * F[1][1]);
+    // E = (H + H^T + H^T H) / 2 with H = grad d: F^T F - I would lose small strains to rounding.
+    const S E11 = grad[0][0] + half * (grad[0][0] * grad[0][0] + grad[1][0] * grad[1][0]);
+    const S E22 = grad[1][1] + half * (grad[0][1] * grad[0][1] + grad[1][1] * grad[1][1]);
+    const S E12 = half * (grad[0][1] + grad[1][0] + grad[0][0] * grad[0][1] + grad[1][0] * grad[1][1]);
     // S = lambda tr E I + 2 mu E
     const S trace = lanes(stress_weight * material.lambda) * (E11 + E22);
     const Lanes two_mu = lanes(2.0 * stress_weight * material.mu);

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -96,6 +97,45 @@ inline Domain rectangle(Vector low, Vector high, int cells_per_block, int order,
   domain.x.resize(2 * domain.mesh().node_count());
   block::place(domain.connected.plan, domain.skeleton.x, domain.x);
   return domain;
+}
+
+/// A formula of x, y and t.
+inline blockfsi::Expression formula(const std::string& text, const blockfsi::Constants& constants = {})
+{
+  const std::array<std::string_view, 3> variables = {"x", "y", "t"};
+  return blockfsi::Expression(text, constants, variables);
+}
+
+/// Nodes of the unit square moved inside, X + amplitude sin(2 pi X) sin(2 pi Y) sin(2 pi t) (1, 1); the sides rest.
+inline std::vector<double> moved_inside(const std::vector<double>& X, double amplitude, double t)
+{
+  constexpr double circle = 2.0 * std::numbers::pi;
+  std::vector<double> x = X;
+  for (std::size_t i = 0; i < X.size(); i += 2)
+  {
+    const double change = amplitude * std::sin(circle * X[i]) * std::sin(circle * X[i + 1]) * std::sin(circle * t);
+    x[i] += change;
+    x[i + 1] += change;
+  }
+  return x;
+}
+
+/// a + factor (b - a) entry by entry.
+inline std::vector<double> between(const std::vector<double>& a, const std::vector<double>& b, double factor)
+{
+  std::vector<double> result(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i)
+    result[i] = a[i] + factor * (b[i] - a[i]);
+  return result;
+}
+
+/// (b - a) / step entry by entry.
+inline std::vector<double> rate(const std::vector<double>& a, const std::vector<double>& b, double step)
+{
+  std::vector<double> result(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i)
+    result[i] = (b[i] - a[i]) / step;
+  return result;
 }
 
 /// L2 norm over the mesh of the difference of two components of a nodal field and a function of position.

@@ -1,0 +1,142 @@
+#include "case/case.hpp"
+
+#include "block/merge.hpp"
+#include "case/check.hpp"
+#include "case/sections.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace blockfsi::case_file
+{
+
+namespace
+{
+
+/// A case on its way from the file.
+struct Draft
+{
+  const Value& root;
+  Case result;
+  Reading reading;
+  block::Layout pieces;  ///< the blocks before they are merged
+};
+
+/// Pieces whose points are nearer than this share of the size of the whole are merged.
+constexpr double merge_tolerance = 1e-9;
+
+double size(const block::Layout& layout)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 2> low = {infinity, infinity};
+  std::array<double, 2> high = {-infinity, -infinity};
+  for (const block::Point& point : layout.points)
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      low[i] = std::min(low[i], point.x[i]);
+      high[i] = std::max(high[i], point.x[i]);
+    }
+  return std::hypot(high[0] - low[0], high[1] - low[1]);
+}
+
+void merge_blocks(Draft& draft)
+{
+  draft.result.layout = draft.pieces;
+  block::merge(draft.result.layout, merge_tolerance * size(draft.pieces));
+}
+
+/// A section: how `describe` shows it and how it is read.
+struct Part
+{
+  std::string_view name;
+  std::vector<Section> (*sections)();
+  void (*read)(const Value& value, Draft& draft);
+};
+
+std::vector<Section> title_sections()
+{
+  return {{"", "above all sections", {{"title", "text", "", "", "what the case is"}}}};
+}
+
+/// In the order in which they build on each other, whatever the order of the file.
+constexpr std::array<Part, 11> parts = {
+    {{"title", title_sections, [](const Value& v, Draft& d) { d.result.title = text(v); }},
+     {"let", let_sections,
+      [](const Value& v, Draft& d)
+      {
+        d.reading.constants = read_let(v);
+        d.result.constants = d.reading.constants;
+      }},
+     {"blocks", blocks_sections, [](const Value& v, Draft& d) { read_blocks(v, d.reading, d.pieces); }},
+     {"boundaries", boundaries_sections,
+      [](const Value& v, Draft& d) { read_boundaries(v, d.reading, d.pieces); }},
+     {"fluid", fluid_sections,
+      [](const Value& v, Draft& d) { read_fluid(v, d.reading, d.result.fluid.emplace()); }},
+     {"solid", solid_sections,
+      [](const Value& v, Draft& d) { read_solid(v, d.reading, d.result.solid.emplace()); }},
+     {"time", time_sections, [](const Value& v, Draft& d) { read_time(v, d.reading, d.result.time); }},
+     {"coupling", coupling_sections,
+      [](const Value& v, Draft& d) { read_coupling(v, d.reading, d.result.coupling); }},
+     {"motion", motion_sections,
+      [](const Value& v, Draft& d)
+      { read_motion(v, d.reading, d.pieces, d.result.layout, d.result.follows); }},
+     {"output", output_sections,
+      [](const Value& v, Draft& d) { read_output(v, d.reading, d.result.output); }},
+     {"petsc", petsc_sections,
+      [](const Value& v, Draft& d) { read_petsc(v, d.reading, d.result.petsc_options); }}}};
+
+void check_sections(const Value& root)
+{
+  std::vector<std::string> known;
+  for (const Part& part : parts)
+    known.emplace_back(part.name);
+  for (const Field& field : table(root))
+    if (std::find(known.begin(), known.end(), field.name) == known.end())
+      unknown_key(field, known);
+}
+
+void require_sections(const Value& root)
+{
+  if (!root.find("blocks"))
+    throw Error(root.where, "the section [blocks] is missing; it describes the domain as coarse blocks");
+  for (const char* physics : {"fluid", "solid"})
+    if (const Value* section = root.find(physics); section && !root.find("time"))
+      fail(*section,
+           "a case that is solved needs a section [time] with end and step, or with scheme = \"steady\"");
+}
+
+}  // namespace
+
+std::vector<Section> all_sections()
+{
+  std::vector<Section> result;
+  for (const Part& part : parts)
+    for (Section& section : part.sections())
+      result.push_back(std::move(section));
+  return result;
+}
+
+Case read(const std::filesystem::path& path, const std::vector<std::string>& overrides)
+{
+  const Value root = load(path, overrides);
+  check_sections(root);
+  require_sections(root);
+  Draft draft{root, {}, {}, {}};
+  draft.result.path = path;
+  for (const Part& part : parts)
+  {
+    if (part.name == "motion")
+      merge_blocks(draft);
+    if (const Value* value = root.find(part.name))
+      part.read(*value, draft);
+  }
+  check(draft.result, draft.reading, root);
+  return std::move(draft.result);
+}
+
+}  // namespace blockfsi::case_file

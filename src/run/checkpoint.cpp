@@ -1,0 +1,143 @@
+#include "run/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+namespace blockfsi::run
+{
+
+namespace
+{
+
+constexpr std::string_view mismatch = "the checkpoint belongs to another case: ";
+
+/// An array of a checkpoint that must have as many entries as this run has.
+std::vector<double> take(const output::Arrays& arrays, const std::string& name, std::size_t size)
+{
+  std::vector<double> values = output::get<std::vector<double>>(arrays, name);
+  if (values.size() != size)
+    throw Error(fmt::format("{}its array '{}' has {} entries where this case needs {}; start anew without --restart",
+                            mismatch, name, values.size(), size));
+  return values;
+}
+
+void put(output::Arrays& arrays, const std::string& prefix, const fluid::State& state)
+{
+  arrays[prefix + "u"] = state.u;
+  arrays[prefix + "change"] = state.change;
+  arrays[prefix + "p"] = state.p;
+  arrays[prefix + "p_before"] = state.p_before;
+  arrays[prefix + "times"] = std::vector<double>{state.time, state.p_time, state.p_before_time};
+}
+
+fluid::State fluid_state(const output::Arrays& arrays, const std::string& prefix, std::size_t nodes)
+{
+  fluid::State state;
+  state.u = take(arrays, prefix + "u", 2 * nodes);
+  state.change = take(arrays, prefix + "change", 2 * nodes);
+  state.p = take(arrays, prefix + "p", nodes);
+  state.p_before = take(arrays, prefix + "p_before", nodes);
+  const std::vector<double> times = take(arrays, prefix + "times", 3);
+  state.time = times[0];
+  state.p_time = times[1];
+  state.p_before_time = times[2];
+  return state;
+}
+
+void put(output::Arrays& arrays, const std::string& prefix, const fluid::Solver::Linearisation& kept)
+{
+  const fem::TimeStep& step = kept.step;
+  arrays[prefix + "step"] =
+      std::vector<double>{kept.stale ? 1.0 : 0.0, step.t, step.step, step.theta, step.geometry};
+  arrays[prefix + "z"] = kept.z;
+  arrays[prefix + "x"] = kept.x;
+  arrays[prefix + "w"] = kept.w;
+  arrays[prefix + "u_old"] = kept.u_old;
+}
+
+fluid::Solver::Linearisation fluid_linearisation(const output::Arrays& arrays, const std::string& prefix)
+{
+  using Values = std::vector<double>;
+  const Values step = take(arrays, prefix + "step", 5);
+  return {step[0] != 0.0,
+          {step[1], step[2], step[3], step[4]},
+          output::get<Values>(arrays, prefix + "z"),
+          output::get<Values>(arrays, prefix + "x"),
+          output::get<Values>(arrays, prefix + "w"),
+          output::get<Values>(arrays, prefix + "u_old")};
+}
+
+}  // namespace
+
+output::Arrays Simulation::save() const
+{
+  output::Arrays arrays;
+  arrays["step"] = std::vector<std::int64_t>{step_};
+  arrays["time"] = std::vector<double>{time_};
+  if (fluid_)
+  {
+    put(arrays, "fluid.", fluid_->state());
+    put(arrays, "fluid.linearisation.", fluid_->solver().linearisation());
+  }
+  if (solid_)
+  {
+    const solid::Solver::Linearisation& kept = solid_->solver().linearisation();
+    arrays["solid.d"] = solid_->state().d;
+    arrays["solid.v"] = solid_->state().v;
+    arrays["solid.linearisation"] = std::vector<double>{kept.stale ? 1.0 : 0.0, kept.inertia, kept.stress_weight};
+    arrays["solid.linearisation.d"] = kept.d;
+  }
+  if (acceleration_)
+  {
+    const coupling::History& history = acceleration_->history();
+    arrays["coupling.V"] = history.V;
+    arrays["coupling.W"] = history.W;
+    arrays["coupling.columns"] = history.columns_per_step;
+    arrays["coupling.residual"] = history.last_residual;
+    arrays["coupling.answer"] = history.last_answer;
+    arrays["coupling.omega"] = std::vector<double>{history.omega};
+    for (std::size_t i = 0; i < history_.size(); ++i)
+      arrays[fmt::format("interface.{}", i)] = history_[i];
+    arrays["interface.step"] = std::vector<double>{history_step_, static_cast<double>(history_count_)};
+  }
+  return arrays;
+}
+
+void Simulation::restore(const output::Arrays& arrays)
+{
+  using Values = std::vector<double>;
+  step_ = output::get<std::vector<std::int64_t>>(arrays, "step").at(0);
+  time_ = take(arrays, "time", 1)[0];
+  if (acceleration_)
+  {
+    coupling::History history;
+    history.V = output::get<Values>(arrays, "coupling.V");
+    history.W = output::get<Values>(arrays, "coupling.W");
+    history.columns_per_step = output::get<std::vector<std::int32_t>>(arrays, "coupling.columns");
+    history.last_residual = output::get<Values>(arrays, "coupling.residual");
+    history.last_answer = output::get<Values>(arrays, "coupling.answer");
+    history.omega = take(arrays, "coupling.omega", 1)[0];
+    acceleration_->restore(std::move(history));
+    for (std::size_t i = 0; i < history_.size(); ++i)
+      history_[i] = take(arrays, fmt::format("interface.{}", i), 2 * interface_.size());
+    const Values step = take(arrays, "interface.step", 2);
+    history_step_ = step[0];
+    history_count_ = static_cast<int>(step[1]);
+  }
+  if (fluid_)
+  {
+    fluid_->restore(fluid_state(arrays, "fluid.", fluid_->mesh().node_count()), history_[0]);
+    fluid_->solver().restore(fluid_linearisation(arrays, "fluid.linearisation."));
+  }
+  if (solid_)
+  {
+    const std::size_t size = 2 * solid_->mesh().node_count();
+    solid_->restore({take(arrays, "solid.d", size), take(arrays, "solid.v", size), time_});
+    const Values kept = take(arrays, "solid.linearisation", 3);
+    solid_->solver().restore({kept[0] != 0.0, kept[1], kept[2], output::get<Values>(arrays, "solid.linearisation.d")});
+  }
+}
+
+}  // namespace blockfsi::run

@@ -1,0 +1,103 @@
+#include "run/fluid_side.hpp"
+
+#include "linalg/communicator.hpp"
+#include "motion/velocity.hpp"
+#include "run/combine.hpp"
+
+#include <utility>
+
+namespace blockfsi::run
+{
+
+namespace
+{
+
+std::vector<double> first_nodes(motion::Regenerate& motion, std::size_t interface_count, std::size_t node_count)
+{
+  std::vector<double> x(2 * node_count);
+  motion.follow(std::vector<double>(2 * interface_count, 0.0), x);
+  return x;
+}
+
+}  // namespace
+
+FluidSide::FluidSide(const block::Layout& layout, const block::Skeleton& skeleton,
+                     const fluid::Parameters& parameters, const std::vector<std::int64_t>& interface,
+                     const std::vector<block::Follow>& follows, Timings& timings)
+    : timings_(&timings),
+      connected_(block::connect(layout, skeleton, parameters.region, linalg::part())),
+      numbering_(connected_.mesh.lattice, connected_.mesh.owner),
+      interface_(interface, connected_.mesh),
+      motion_(skeleton, connected_.plan, interface, follows),
+      x_(first_nodes(motion_, interface.size(), connected_.mesh.node_count())),
+      x_new_(x_),
+      x_geometry_(x_),
+      w_(x_.size(), 0.0),
+      solver_(parameters, connected_.mesh, numbering_, x_, timings),
+      state_(solver_.initial()),
+      z_(3 * connected_.mesh.node_count(), 0.0),
+      reaction_(z_.size(), 0.0),
+      quality_tables_(layout.order),
+      validity_tables_(layout.order),
+      first_jacobian_(mesh::sample_jacobian(quality_tables_, connected_.mesh, x_))
+{
+}
+
+void FluidSide::begin(const fem::TimeStep& step)
+{
+  step_ = step;
+  solver_.guess(step, state_, z_);
+}
+
+bool FluidSide::move(std::span<const double> displacement)
+{
+  {
+    const Stopwatch watch(*timings_, Task::place);
+    motion_.follow(displacement, x_new_);
+    motion::mesh_velocity(step_, x_, x_new_, x_geometry_, w_);
+  }
+  reaction_known_ = false;
+  return quality().scaled_jacobian > 0.0;
+}
+
+linalg::NewtonReport FluidSide::solve()
+{
+  return solver_.solve(step_, state_, mesh_motion(), z_);
+}
+
+void FluidSide::load(std::span<double> values)
+{
+  reaction_ = solver_.reaction(step_, state_, mesh_motion(), z_);
+  reaction_known_ = true;
+  interface_.gather(reaction_, 3, values);
+  for (double& value : values)
+    value = -value;
+}
+
+void FluidSide::accept()
+{
+  if (!reaction_known_)
+    reaction_ = solver_.reaction(step_, state_, mesh_motion(), z_);
+  reaction_time_ = step_.t + step_.theta * step_.step;
+  state_ = solver_.finish(step_, state_, z_);
+  x_ = x_new_;
+}
+
+mesh::Quality FluidSide::quality() const
+{
+  return combine(mesh::measure(quality_tables_, connected_.mesh, x_new_, first_jacobian_));
+}
+
+mesh::Validity FluidSide::certify() const
+{
+  return combine(mesh::certify(validity_tables_, connected_.mesh, x_));
+}
+
+void FluidSide::restore(fluid::State state, std::span<const double> displacement)
+{
+  state_ = std::move(state);
+  motion_.follow(displacement, x_);
+  x_new_ = x_;
+}
+
+}  // namespace blockfsi::run

@@ -1,0 +1,90 @@
+#pragma once
+
+#include "block/connect.hpp"
+#include "block/move.hpp"
+#include "core/timing.hpp"
+#include "coupling/interface.hpp"
+#include "fluid/solver.hpp"
+#include "linalg/numbering.hpp"
+#include "mesh/quality.hpp"
+#include "mesh/validity.hpp"
+#include "motion/regenerate.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace blockfsi::run
+{
+
+/// The flow of a run: its mesh, how that follows the interface, the solver, and the accepted state.
+/// Not movable: its parts refer to each other.
+class FluidSide
+{
+public:
+  /// `interface`: skeleton numbers of the nodes that the solid moves; empty for a flow alone.
+  FluidSide(const block::Layout& layout, const block::Skeleton& skeleton, const fluid::Parameters& parameters,
+            const std::vector<std::int64_t>& interface, const std::vector<block::Follow>& follows,
+            Timings& timings);
+  FluidSide(const FluidSide&) = delete;
+  FluidSide& operator=(const FluidSide&) = delete;
+
+  /// Prepares a step from the accepted state.
+  void begin(const fem::TimeStep& step);
+  /// Moves the mesh to a displacement of the interface at the end of the step [m], shape (interface count, 2);
+  /// false if a cell is folded: then nothing may be solved on it.
+  [[nodiscard]] bool move(std::span<const double> displacement);
+  /// Solves the flow on the mesh as it was moved.
+  [[nodiscard]] linalg::NewtonReport solve();
+  /// Force of the fluid on the interface nodes [N/m], shape (interface count, 2), written.
+  void load(std::span<double> values);
+  /// Makes the solved step the accepted state.
+  void accept();
+
+  const mesh::Mesh& mesh() const { return connected_.mesh; }
+  const linalg::Numbering& numbering() const { return numbering_; }
+  const coupling::Interface& interface() const { return interface_; }
+  const fluid::State& state() const { return state_; }
+  /// Accepted nodes [m], shape (node_count, 2).
+  std::span<const double> x() const { return x_; }
+  /// Nodes as last moved.
+  std::span<const double> x_moved() const { return x_new_; }
+  /// Reaction of the accepted step (fluid::Solver::reaction), shape (node_count, 3), at its own time.
+  std::span<const double> reaction() const { return reaction_; }
+  double reaction_time() const { return reaction_time_; }
+
+  /// Quality over all processes of the mesh as last moved, and of the accepted one with proof.
+  mesh::Quality quality() const;
+  mesh::Validity certify() const;
+
+  fluid::Solver& solver() { return solver_; }
+  std::int64_t unknown_count() const { return solver_.unknown_count(); }
+
+  /// For a restart: the accepted state and the displacement of the interface that belongs to it.
+  void restore(fluid::State state, std::span<const double> displacement);
+
+private:
+  fluid::MeshMotion mesh_motion() const { return {x_geometry_, w_}; }
+
+  Timings* timings_;
+  block::Connected connected_;
+  linalg::Numbering numbering_;
+  coupling::Interface interface_;
+  motion::Regenerate motion_;
+  std::vector<double> x_;
+  std::vector<double> x_new_;
+  std::vector<double> x_geometry_;
+  std::vector<double> w_;
+  fluid::Solver solver_;
+  fluid::State state_;
+  fem::TimeStep step_;
+  std::vector<double> z_;
+  std::vector<double> reaction_;
+  double reaction_time_ = 0.0;
+  bool reaction_known_ = false;
+  mesh::QualityTables quality_tables_;
+  mesh::ValidityTables validity_tables_;
+  std::vector<double> first_jacobian_;
+};
+
+}  // namespace blockfsi::run

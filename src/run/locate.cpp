@@ -1,0 +1,110 @@
+#include "run/locate.hpp"
+
+#include "element/line.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace blockfsi::run
+{
+
+namespace
+{
+
+/// Points this far outside of the unit cell still count as inside: round-off of neighbours.
+constexpr double outside = 1e-9;
+
+struct Box
+{
+  std::array<double, 2> low = {INFINITY, INFINITY};
+  std::array<double, 2> high = {-INFINITY, -INFINITY};
+};
+
+Box box_of(const mesh::Mesh& mesh, std::span<const double> x, std::size_t cell)
+{
+  Box box;
+  for (const std::int32_t node : mesh.cell(cell))
+    for (int c = 0; c < 2; ++c)
+    {
+      box.low[c] = std::min(box.low[c], x[2 * node + c]);
+      box.high[c] = std::max(box.high[c], x[2 * node + c]);
+    }
+  // The edges of a curved cell may bulge out of the box of its nodes.
+  for (int c = 0; c < 2; ++c)
+  {
+    const double margin = 0.1 * std::max(box.high[0] - box.low[0], box.high[1] - box.low[1]);
+    box.low[c] -= margin;
+    box.high[c] += margin;
+  }
+  return box;
+}
+
+bool holds(const Box& box, const std::array<double, 2>& point)
+{
+  return point[0] >= box.low[0] && point[0] <= box.high[0] && point[1] >= box.low[1] && point[1] <= box.high[1];
+}
+
+std::optional<Located> invert(const mesh::Mesh& mesh, std::span<const double> x, std::size_t cell,
+                              const std::array<double, 2>& point, std::span<const double> nodes)
+{
+  const int n = mesh.order + 1;
+  std::array<double, 2> xi = {0.5, 0.5};
+  for (int iteration = 0; iteration < 30; ++iteration)
+  {
+    const element::Table tables = element::lagrange(nodes, xi);
+    Located located{cell, std::vector<double>(n * n)};
+    std::array<double, 2> miss = {-point[0], -point[1]};
+    std::array<std::array<double, 2>, 2> jacobian{};
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i)
+      {
+        const std::size_t node = mesh.cell(cell)[j * n + i];
+        located.shape[j * n + i] = tables.value[i] * tables.value[n + j];
+        for (int c = 0; c < 2; ++c)
+        {
+          miss[c] += located.shape[j * n + i] * x[2 * node + c];
+          jacobian[c][0] += tables.first[i] * tables.value[n + j] * x[2 * node + c];
+          jacobian[c][1] += tables.value[i] * tables.first[n + j] * x[2 * node + c];
+        }
+      }
+    const double det = jacobian[0][0] * jacobian[1][1] - jacobian[0][1] * jacobian[1][0];
+    const std::array<double, 2> change = {(jacobian[1][1] * miss[0] - jacobian[0][1] * miss[1]) / det,
+                                          (jacobian[0][0] * miss[1] - jacobian[1][0] * miss[0]) / det};
+    if (std::max(std::abs(change[0]), std::abs(change[1])) < 1e-13)
+    {
+      const bool inside = xi[0] > -outside && xi[0] < 1.0 + outside && xi[1] > -outside && xi[1] < 1.0 + outside;
+      return inside ? std::optional(located) : std::nullopt;
+    }
+    for (int c = 0; c < 2; ++c)
+      xi[c] = std::clamp(xi[c] - change[c], -0.5, 1.5);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+double Located::value(const mesh::Mesh& mesh, std::span<const double> field, int stride, int component) const
+{
+  double sum = 0.0;
+  const auto nodes = mesh.cell(cell);
+  for (std::size_t a = 0; a < shape.size(); ++a)
+    sum += shape[a] * field[static_cast<std::size_t>(nodes[a]) * stride + component];
+  return sum;
+}
+
+std::optional<Located> locate(const mesh::Mesh& mesh, std::span<const double> x, const std::array<double, 2>& point,
+                              std::size_t first)
+{
+  const std::vector<double> nodes = element::lobatto(mesh.order);
+  const auto attempt = [&](std::size_t cell) -> std::optional<Located>
+  { return holds(box_of(mesh, x, cell), point) ? invert(mesh, x, cell, point, nodes) : std::nullopt; };
+  if (first < mesh.cell_count())
+    if (std::optional<Located> found = attempt(first))
+      return found;
+  for (std::size_t cell = 0; cell < mesh.cell_count(); ++cell)
+    if (std::optional<Located> found = attempt(cell))
+      return found;
+  return std::nullopt;
+}
+
+}  // namespace blockfsi::run

@@ -1,0 +1,174 @@
+#include "run/run.hpp"
+
+#include "linalg/communicator.hpp"
+#include "run/interrupt.hpp"
+#include "run/progress.hpp"
+#include "run/results.hpp"
+#include "run/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace blockfsi::run
+{
+
+namespace
+{
+
+/// Prints on process 0.
+template <class... Arguments>
+void say(fmt::format_string<Arguments...> format, Arguments&&... arguments)
+{
+  if (linalg::part().rank != 0)
+    return;
+  fmt::print(format, std::forward<Arguments>(arguments)...);
+  std::fflush(stdout);
+}
+
+/// Continues from the newest checkpoint in the folder.
+void restart(Simulation& simulation, const std::filesystem::path& checkpoints)
+{
+  const Part me = linalg::part();
+  std::int64_t step = -1;
+  std::string problem;
+  if (me.rank == 0)
+  {
+    try
+    {
+      step = output::latest_complete(checkpoints, me.size).value_or(-1);
+      if (step < 0)
+        problem = fmt::format("there is no complete checkpoint in '{}'; run without --restart", checkpoints.string());
+    }
+    catch (const Error& error)
+    {
+      problem = error.what();
+    }
+  }
+  step = linalg::from_first(step);
+  if (step < 0)
+    throw Error(me.rank == 0 ? problem : "no checkpoint");
+  simulation.restore(output::read_rank(checkpoints, step, me));
+  say("continuing after step {} (t = {:g} s)\n", step, simulation.time());
+}
+
+void write_checkpoint(Simulation& simulation, const std::filesystem::path& checkpoints, std::uint64_t run)
+{
+  const Stopwatch watch(simulation.timings(), Task::output);
+  output::write_rank(checkpoints, simulation.step(), linalg::part(), simulation.save(), run);
+  linalg::barrier();
+  if (linalg::part().rank == 0)
+    output::remove_old(checkpoints);
+}
+
+/// Whether fields are due at a time that is a multiple of `every`.
+bool fields_due(const Simulation& simulation)
+{
+  const double every = simulation.description().output.every;
+  if (every <= 0.0)
+    return false;
+  const double step = simulation.description().time.step;
+  const double now = simulation.time() / every + 1e-9;
+  return std::floor(now) > std::floor(now - step / every);
+}
+
+void introduce(const Simulation& simulation, const std::filesystem::path& folder)
+{
+  const case_file::Case& description = simulation.description();
+  if (!description.title.empty())
+    say("{}\n", description.title);
+  if (const FluidSide* fluid = simulation.fluid())
+    say("fluid: {} cells of order {}, {} unknowns\n", fluid->mesh().total_cell_count, fluid->mesh().order,
+        fluid->unknown_count());
+  if (const SolidSide* solid = simulation.solid())
+    say("solid: {} cells of order {}, {} unknowns\n", solid->mesh().total_cell_count, solid->mesh().order,
+        solid->unknown_count());
+  say("results: {}\n", folder.string());
+}
+
+void conclude(const Simulation& simulation, const std::filesystem::path& folder)
+{
+  say("results are in {}\n", folder.string());
+  say("  probes.csv, forces.csv, quality.csv   one row per step\n");
+  say("  fields.pvd                            open in ParaView; colour by velocity, press play\n");
+  if (simulation.finished())
+    say("next: blockfsi verify {}\n", simulation.description().path.string());
+}
+
+}  // namespace
+
+std::filesystem::path result_folder(const case_file::Case& description, const RunOptions& options)
+{
+  if (!options.directory.empty())
+    return options.directory;
+  const std::filesystem::path beside = description.path.parent_path();
+  return beside / (description.output.directory.empty() ? "results" : description.output.directory);
+}
+
+Exit run(const case_file::Case& description, const RunOptions& options)
+{
+  const auto start = std::chrono::steady_clock::now();
+  const std::filesystem::path folder = result_folder(description, options);
+  const std::filesystem::path checkpoints = folder / "checkpoint";
+  const auto run_number =
+      static_cast<std::uint64_t>(linalg::from_first(std::chrono::system_clock::now().time_since_epoch().count()));
+  Simulation simulation(description);
+  if (options.restart)
+    restart(simulation, checkpoints);
+  else if (linalg::part().rank == 0)
+    output::remove_all(checkpoints);
+  introduce(simulation, folder);
+  Results results(folder, simulation, options.restart);
+  if (!options.restart && description.output.every > 0.0)
+    results.add_fields();
+
+  const InterruptGuard guard;
+  Progress progress(simulation);
+  const std::int64_t first_step = simulation.step();
+  Exit result = Exit::done;
+  while (!simulation.finished())
+  {
+    const StepReport report = simulation.advance();
+    if (!report.ok)
+    {
+      progress.end();
+      if (linalg::part().rank == 0)
+        fmt::print(stderr, "blockfsi: {}; the last good state (t = {:g} s) is in the results\n", report.failure,
+                   simulation.time());
+      result = Exit::failed;
+      break;
+    }
+    {
+      const Stopwatch watch(simulation.timings(), Task::output);
+      results.add_step(report);
+      if (fields_due(simulation))
+        results.add_fields();
+    }
+    progress.step(report);
+    if (linalg::any(guard.requested()))
+    {
+      progress.end();
+      say("interrupted after step {}; continue with --restart\n", simulation.step());
+      result = Exit::interrupted;
+      break;
+    }
+    if (simulation.step() % description.output.checkpoint_every == 0)
+      write_checkpoint(simulation, checkpoints, run_number);
+  }
+  progress.end();
+  if (result != Exit::interrupted)
+  {
+    const Stopwatch watch(simulation.timings(), Task::output);
+    results.add_fields();
+  }
+  write_checkpoint(simulation, checkpoints, run_number);
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  say("{}", timing_summary(simulation.timings(), wall.count(), simulation.step() - first_step));
+  conclude(simulation, folder);
+  return result;
+}
+
+}  // namespace blockfsi::run

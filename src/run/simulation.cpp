@@ -1,0 +1,204 @@
+#include "run/simulation.hpp"
+
+#include "linalg/communicator.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace blockfsi::run
+{
+
+namespace
+{
+
+std::string explain(std::string_view what, const linalg::NewtonReport& report)
+{
+  switch (report.status)
+  {
+    case linalg::NewtonStatus::too_many_iterations:
+      return fmt::format("Newton's method for the {} needs more than {} iterations (last relative increment {:.2g})",
+                         what, report.iterations, report.increment);
+    case linalg::NewtonStatus::diverged:
+      return fmt::format("Newton's method for the {} diverged after {} iterations (last relative increment {:.2g})",
+                         what, report.iterations, report.increment);
+    case linalg::NewtonStatus::singular:
+      return fmt::format("the matrix of the {} is singular", what);
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+Simulation::Simulation(const case_file::Case& description)
+    : case_(description), skeleton_(block::make_skeleton(description.layout))
+{
+  if (case_.fluid && case_.solid)
+    interface_ = block::interface_nodes(case_.layout, skeleton_, case_.fluid->region, case_.solid->region);
+  if (case_.fluid)
+    fluid_ = std::make_unique<FluidSide>(case_.layout, skeleton_, *case_.fluid, interface_, case_.follows, timings_);
+  if (case_.solid)
+    solid_ = std::make_unique<SolidSide>(case_.layout, skeleton_, *case_.solid, interface_, timings_);
+  if (fluid_ && solid_)
+    acceleration_ = std::make_unique<coupling::Acceleration>(case_.coupling, 2 * interface_.size());
+  history_.assign(3, std::vector<double>(2 * interface_.size(), 0.0));
+}
+
+Simulation::~Simulation() = default;
+
+std::int64_t Simulation::step_count() const
+{
+  if (case_.time.scheme == fem::Scheme::steady)
+    return 1;
+  return std::max<std::int64_t>(1, std::llround(case_.time.end / case_.time.step));
+}
+
+std::int64_t Simulation::unknown_count() const
+{
+  return (fluid_ ? fluid_->unknown_count() : 0) + (solid_ ? solid_->unknown_count() : 0);
+}
+
+std::string Simulation::when() const
+{
+  if (case_.time.scheme == fem::Scheme::steady)
+    return "in the steady solution";
+  return fmt::format("in step {} (t = {:g} s to {:g} s)", step_ + 1, time_, time_ + case_.time.step);
+}
+
+/// The parts of the next step: one, or two backward Euler half steps at the start.
+std::vector<fem::TimeStep> Simulation::substeps() const
+{
+  const fem::TimeParameters& time = case_.time;
+  const double dt = time.step;
+  if (time.scheme == fem::Scheme::steady)
+    return {{0.0, 0.0, 1.0, 1.0}};
+  if (time.scheme == fem::Scheme::backward_euler)
+    return {{time_, dt, 1.0, 1.0}};
+  if (step_ < time.start_up)
+    return {{time_, 0.5 * dt, 1.0, 1.0}, {time_ + 0.5 * dt, 0.5 * dt, 1.0, 1.0}};
+  const double decay = time.ringing_decay > 0.0 ? time.ringing_decay : time.end / 200.0;
+  return {{time_, dt, std::min(1.0, 0.5 + dt / (4.0 * decay)), 0.5}};
+}
+
+StepReport Simulation::advance()
+{
+  StepReport report;
+  for (const fem::TimeStep& step : substeps())
+    if (!substep(step, report))
+    {
+      report.ok = false;
+      return report;
+    }
+  ++step_;
+  time_ = case_.time.scheme == fem::Scheme::steady ? 0.0 : static_cast<double>(step_) * case_.time.step;
+  if (fluid_)
+  {
+    report.quality = fluid_->quality();
+    report.certified = fluid_->certify().all_valid();
+  }
+  return report;
+}
+
+bool Simulation::substep(const fem::TimeStep& step, StepReport& report)
+{
+  if (fluid_)
+    fluid_->begin(step);
+  if (solid_)
+    solid_->begin(step);
+  if (fluid_ && solid_)
+  {
+    if (!couple(step, report))
+      return false;
+  }
+  else if (fluid_)
+  {
+    if (!solve_fluid(report))
+      return false;
+  }
+  else if (solid_ && !solve_solid({}, report))
+    return false;
+  if (fluid_)
+    fluid_->accept();
+  if (solid_)
+    solid_->accept();
+  return true;
+}
+
+bool Simulation::couple(const fem::TimeStep& step, StepReport& report)
+{
+  std::vector<double> d(2 * interface_.size());
+  const int known = step.step == history_step_ ? history_count_ : 0;
+  coupling::predict(std::min(case_.coupling.predictor, known), history_[0], history_[1], history_[2], d);
+  const coupling::Limits limits{case_.coupling.tolerance, case_.coupling.iterations, 0.0};
+  const coupling::Report coupled = coupling::solve_partitioned(
+      [&](std::span<const double> input, std::span<double> answer) { return evaluate(input, answer, report); },
+      *acceleration_, limits, d, history_[0]);
+  report.coupling_iterations += coupled.iterations;
+  if (coupled.status != coupling::Status::converged)
+  {
+    if (report.failure.empty())
+      report.failure = fmt::format("the coupling of fluid and solid did not converge {}: after {} iterations the "
+                                   "interface is off by {:.2g} of its displacement in the step",
+                                   when(), coupled.iterations,
+                                   coupled.residuals.empty() ? NAN : coupled.residuals.back());
+    return false;
+  }
+  keep_interface(d, step.step);
+  return true;
+}
+
+bool Simulation::evaluate(std::span<const double> d, std::span<double> answer, StepReport& report)
+{
+  if (!fluid_->move(d))
+  {
+    const mesh::Quality quality = fluid_->quality();
+    report.failure = fmt::format("the fluid mesh folds over {}: cell {} of {} has a scaled Jacobian of {:.3g}", when(),
+                                 quality.cell,
+                                 quality.block >= 0 ? case_.layout.blocks[quality.block].name : std::string("?"),
+                                 quality.scaled_jacobian);
+    return false;
+  }
+  if (!solve_fluid(report))
+    return false;
+  std::vector<double> load(answer.size());
+  fluid_->load(load);
+  if (!solve_solid(load, report))
+    return false;
+  solid_->displacement(answer);
+  return true;
+}
+
+bool Simulation::solve_fluid(StepReport& report)
+{
+  const linalg::NewtonReport solved = fluid_->solve();
+  report.fluid_iterations += solved.iterations;
+  report.renewals += solved.renewals;
+  if (solved.status == linalg::NewtonStatus::converged)
+    return true;
+  report.failure = explain("flow", solved) + " " + when();
+  return false;
+}
+
+bool Simulation::solve_solid(std::span<const double> load, StepReport& report)
+{
+  const linalg::NewtonReport solved = solid_->solve(load);
+  report.solid_iterations += solved.iterations;
+  report.renewals += solved.renewals;
+  if (solved.status == linalg::NewtonStatus::converged)
+    return true;
+  report.failure = explain("solid", solved) + " " + when();
+  return false;
+}
+
+void Simulation::keep_interface(std::span<const double> d, double step)
+{
+  std::rotate(history_.begin(), history_.end() - 1, history_.end());
+  history_.front().assign(d.begin(), d.end());
+  history_count_ = step == history_step_ ? std::min(history_count_ + 1, 2) : 1;
+  history_step_ = step;
+}
+
+}  // namespace blockfsi::run

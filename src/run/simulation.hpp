@@ -1,0 +1,86 @@
+#pragma once
+
+#include "case/case.hpp"
+#include "core/timing.hpp"
+#include "coupling/accelerator.hpp"
+#include "coupling/partitioned.hpp"
+#include "output/checkpoint.hpp"
+#include "run/fluid_side.hpp"
+#include "run/solid_side.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace blockfsi::run
+{
+
+/// How a step went. A failed step leaves the accepted state as it was.
+struct StepReport
+{
+  bool ok = true;
+  std::string failure;            ///< what failed, where and when
+  int coupling_iterations = 0;    ///< 0 without coupling
+  int fluid_iterations = 0;       ///< Newton iterations, all coupling iterations together
+  int solid_iterations = 0;
+  int renewals = 0;               ///< factorisations
+  mesh::Quality quality;          ///< of the accepted fluid mesh
+  bool certified = true;          ///< every cell proved valid
+};
+
+/// A case under way: one step after the other, flow, body or both.
+class Simulation
+{
+public:
+  explicit Simulation(const case_file::Case& description);
+  ~Simulation();
+
+  /// Number of steps of the whole run; 1 if steady.
+  std::int64_t step_count() const;
+  std::int64_t step() const { return step_; }
+  double time() const { return time_; }
+  bool finished() const { return step_ >= step_count(); }
+
+  /// Does the next step.
+  StepReport advance();
+
+  const FluidSide* fluid() const { return fluid_.get(); }
+  const SolidSide* solid() const { return solid_.get(); }
+  const block::Skeleton& skeleton() const { return skeleton_; }
+  const case_file::Case& description() const { return case_; }
+  Timings& timings() { return timings_; }
+  std::int64_t unknown_count() const;
+
+  /// Everything that the next step depends on, for this process.
+  output::Arrays save() const;
+  /// Continues from it. Throws Error if it belongs to another case.
+  void restore(const output::Arrays& arrays);
+
+private:
+  std::vector<fem::TimeStep> substeps() const;
+  bool substep(const fem::TimeStep& step, StepReport& report);
+  bool couple(const fem::TimeStep& step, StepReport& report);
+  bool evaluate(std::span<const double> d, std::span<double> answer, StepReport& report);
+  bool solve_fluid(StepReport& report);
+  bool solve_solid(std::span<const double> load, StepReport& report);
+  void keep_interface(std::span<const double> d, double step);
+  std::string when() const;
+
+  case_file::Case case_;
+  Timings timings_;
+  block::Skeleton skeleton_;
+  std::vector<std::int64_t> interface_;
+  std::unique_ptr<FluidSide> fluid_;
+  std::unique_ptr<SolidSide> solid_;
+  std::unique_ptr<coupling::Acceleration> acceleration_;
+  std::int64_t step_ = 0;
+  double time_ = 0.0;
+  /// Displacement of the interface at the last accepted (sub)steps, newest first.
+  std::vector<std::vector<double>> history_;
+  /// Length of the step that led to the newest, and how many in a row had it.
+  double history_step_ = 0.0;
+  int history_count_ = 0;
+};
+
+}  // namespace blockfsi::run

@@ -1,0 +1,61 @@
+#include "mesh/quality.hpp"
+#include "mesh/validity.hpp"
+#include "structured.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+
+using namespace blockfsi;
+
+namespace
+{
+
+std::size_t allocation_count = 0;
+
+}  // namespace
+
+void* operator new(std::size_t size)
+{
+  ++allocation_count;
+  if (void* memory = std::malloc(size > 0 ? size : 1))
+    return memory;
+  throw std::bad_alloc();
+}
+
+void operator delete(void* memory) noexcept
+{
+  std::free(memory);
+}
+
+void operator delete(void* memory, std::size_t) noexcept
+{
+  std::free(memory);
+}
+
+TEST_CASE("measuring and certifying a mesh allocates nothing")
+{
+  for (const int order : {1, 4, 8})
+  {
+    SampleMesh sample = structured(order, 3, 3,
+                                   [](double u, double v) {
+                                     return std::array{u + 0.2 * v, v};
+                                   });
+    // One cell that must be subdivided, one that is turned over.
+    sample.x[2 * sample.mesh.cell(1)[1] + 1] += 0.02 / order;
+    sample.x[2 * sample.mesh.cell(8)[order]] -= 0.5;
+    const mesh::QualityTables quality_tables(order);
+    const mesh::ValidityTables validity_tables(order);
+    const std::vector<double> first = mesh::sample_jacobian(quality_tables, sample.mesh, sample.x);
+    std::vector<mesh::Verdict> verdicts(sample.mesh.cell_count());
+    const std::size_t before = allocation_count;
+    const mesh::Quality quality = mesh::measure(quality_tables, sample.mesh, sample.x, first);
+    const mesh::Validity validity = mesh::certify(validity_tables, sample.mesh, sample.x, verdicts);
+    const std::size_t after = allocation_count;
+    CHECK(after == before);
+    CHECK(quality.scaled_jacobian < 0.0);
+    CHECK(validity.invalid > 0);
+  }
+}
