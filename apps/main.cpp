@@ -5,6 +5,7 @@
 #include "linalg/session.hpp"
 #include "run/mesh.hpp"
 #include "run/run.hpp"
+#include "run/verify.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -26,6 +27,8 @@ struct Arguments
   std::string directory;
   bool restart = false;
   std::string mesh_output;
+  std::string level = "full";
+  bool finished = false;
 };
 
 blockfsi::case_file::Case read(const Arguments& arguments)
@@ -50,6 +53,27 @@ Exit check(const Arguments& arguments)
 Exit mesh(const Arguments& arguments)
 {
   return blockfsi::run::make_mesh(read(arguments), arguments.mesh_output);
+}
+
+/// Runs the case unless its finished output is to be taken, and compares it with the references beside it.
+Exit verify(const Arguments& arguments)
+{
+  const blockfsi::case_file::Case description = read(arguments);
+  const blockfsi::run::RunOptions options{false, arguments.directory};
+  if (!arguments.finished)
+  {
+    blockfsi::linalg::add_options(description.petsc_options);
+    const Exit ran = blockfsi::run::run(description, options);
+    if (ran != Exit::done)
+      return ran;
+  }
+  if (blockfsi::linalg::part().rank != 0)
+    return Exit::done;
+  const auto comparisons =
+      blockfsi::run::compare(description.path.parent_path() / "reference.csv",
+                             blockfsi::run::result_folder(description, options), arguments.level);
+  fmt::print("{}", blockfsi::run::report(comparisons));
+  return blockfsi::run::all_ok(comparisons) ? Exit::done : Exit::missed;
 }
 
 void add_case(CLI::App& command, Arguments& arguments)
@@ -77,6 +101,14 @@ Exit dispatch(int count, char** values)
   add_case(*mesh_command, arguments);
   mesh_command->add_option("-o,--output", arguments.mesh_output, "file to write (.vtu)");
 
+  CLI::App* verify_command =
+      app.add_subcommand("verify", "run a case and compare it with the reference.csv beside it");
+  add_case(*verify_command, arguments);
+  verify_command->add_option("--directory", arguments.directory, "folder of the results");
+  verify_command->add_option("--level", arguments.level, "references of the full or the short form")
+      ->check(CLI::IsMember({"full", "short"}));
+  verify_command->add_flag("--finished", arguments.finished, "take the results that are there instead of running");
+
   CLI::App* describe_command = app.add_subcommand("describe", "explain every key of a case file");
 
   try
@@ -98,6 +130,8 @@ Exit dispatch(int count, char** values)
   {
     if (*run_command)
       return run(arguments);
+    if (*verify_command)
+      return verify(arguments);
     return *check_command ? check(arguments) : mesh(arguments);
   }
   catch (const blockfsi::Error& error)

@@ -31,7 +31,7 @@ const Keys<TimeParameters>& time_keys()
         "first steps that are each done as two backward Euler half steps"},
        [](const Value& v, Reading& r, TimeParameters& p)
        { p.start_up = integer(v, r.constants, 0, 1000000); }},
-      {{"ringing_decay", "number", "end / 200", "s", "time in which ringing from step to step falls by e"},
+      {{"ringing_decay", "number", "20 steps", "s", "time in which ringing from step to step falls by e"},
        [](const Value& v, Reading& r, TimeParameters& p)
        { p.ringing_decay = number(v, r.constants, not_negative); }}};
   return keys;

@@ -31,6 +31,9 @@ struct NewtonLimits
 {
   double tolerance = 1e-8;
   int iterations = 25;
+  /// Increments must shrink by this factor per iteration, or the factors are renewed. At 0.3 an iteration with old
+  /// factors (a residual and a back substitution) still wins half a digit for a fraction of the price of renewing.
+  double slowest_rate = 0.3;
 };
 
 /// Whether the factors at hand may still be used; part of what a restart needs.
@@ -38,10 +41,6 @@ struct Factors
 {
   bool stale = true;
 };
-
-/// Increments must shrink by this factor per iteration, or the factors are renewed: at 0.3 an iteration with old
-/// factors (a residual and a back substitution) wins two digits at the price of a fifth of a factorisation.
-inline constexpr double slowest_rate = 0.3;
 
 /// Newton's method with factors that are kept, over iterations and over calls, as long as the increments shrink
 /// fast enough. With fresh factors in every iteration it is Newton's method proper.
@@ -111,7 +110,7 @@ template <class Problem>
       z[i] -= increment[i];
     const bool small = report.increment <= limits.tolerance;
     const bool error_small = before > 0.0 && rate < 0.5 && report.increment * rate / (1.0 - rate) <= limits.tolerance;
-    if (rate > slowest_rate)
+    if (rate > limits.slowest_rate)
       factors.stale = true;
     if (small || error_small)
       return end_with(NewtonStatus::converged);

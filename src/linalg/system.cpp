@@ -129,12 +129,18 @@ void System::assemble()
 
 Status System::factorise()
 {
+  // Without this PETSc would put the factorisation off until the next solution.
+  petsc::check(KSPSetOperators(data_->solver, data_->matrix, data_->matrix));
   petsc::check(KSPSetUp(data_->solver));
   PC preconditioner = nullptr;
   PCFailedReason reason = PC_NOERROR;
   petsc::check(KSPGetPC(data_->solver, &preconditioner));
   petsc::check(PCGetFailedReason(preconditioner, &reason));
-  return any(reason != PC_NOERROR) ? Status::singular : Status::ok;
+  if (!any(reason != PC_NOERROR))
+    return Status::ok;
+  // After a failure PETSc skips all further factorisations by MUMPS: let it start from the beginning.
+  petsc::check(KSPReset(data_->solver));
+  return Status::singular;
 }
 
 Status System::solve(std::span<const double> residual, std::span<double> increment)

@@ -14,6 +14,9 @@ namespace blockfsi::run
 namespace
 {
 
+/// Steps in which ringing falls by e where the case does not say a time.
+constexpr double default_ringing_decay = 20.0;
+
 std::string explain(std::string_view what, const linalg::NewtonReport& report)
 {
   switch (report.status)
@@ -79,7 +82,7 @@ std::vector<fem::TimeStep> Simulation::substeps() const
     return {{time_, dt, 1.0, 1.0}};
   if (step_ < time.start_up)
     return {{time_, 0.5 * dt, 1.0, 1.0}, {time_ + 0.5 * dt, 0.5 * dt, 1.0, 1.0}};
-  const double decay = time.ringing_decay > 0.0 ? time.ringing_decay : time.end / 200.0;
+  const double decay = time.ringing_decay > 0.0 ? time.ringing_decay : default_ringing_decay * dt;
   return {{time_, dt, std::min(1.0, 0.5 + dt / (4.0 * decay)), 0.5}};
 }
 

@@ -177,10 +177,10 @@ void Solver::add_tractions(double time, double factor, std::span<double> residua
 linalg::NewtonReport Solver::solve(const Body& body, std::span<const double> origin,
                                    std::span<const double> constant, std::span<double> d)
 {
-  if (linearisation_.inertia != body.inertia || linearisation_.stress_weight != body.stress_weight)
-    factors_.stale = true;
+  factors_.stale = true;
   Problem problem{*this, body, origin, constant};
-  const linalg::NewtonLimits limits{parameters_.newton.tolerance, parameters_.newton.iterations};
+  // A thin body is stiff against stretching and soft against bending: old factors lead far astray when it turns.
+  const linalg::NewtonLimits limits{parameters_.newton.tolerance, parameters_.newton.iterations, 0.01};
   const linalg::NewtonReport report = linalg::newton(limits, system_, factors_, problem, d, *timings_);
   linearisation_.stale = factors_.stale;
   return report;

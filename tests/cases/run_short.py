@@ -29,7 +29,7 @@ def call(*command):
 def main(blockfsi, case_folder, result_folder):
     case_file = str(pathlib.Path(case_folder) / "case.toml")
     call(blockfsi, "run", case_file, *settings(pathlib.Path(case_folder) / "short.set"), "--directory", result_folder)
-    call(blockfsi, "verify", case_file, "--directory", result_folder, "--level", "short")
+    call(blockfsi, "verify", case_file, "--finished", "--directory", result_folder, "--level", "short")
 
 
 if __name__ == "__main__":

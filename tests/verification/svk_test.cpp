@@ -22,7 +22,9 @@ constexpr double mu = 0.5;
 constexpr double young = mu * (3.0 * lambda + 2.0 * mu) / (lambda + mu);
 constexpr double poisson = 0.5 * lambda / (lambda + mu);
 constexpr double density = 2.0;
-constexpr double amplitude = 0.1;
+/// With 0.1, as in the reference data, the compressed corner is at the edge of the material's stability: the error
+/// falls irregularly.
+constexpr double amplitude = 0.05;
 
 using Text = std::string;
 
@@ -109,7 +111,6 @@ solid::Parameters material()
 solid::Parameters manufactured(const Manufactured& solution, bool clamped)
 {
   solid::Parameters result = material();
-  result.load_steps = 4;
   result.body_force = {expression(solution.force(0)), expression(solution.force(1)), 0.0};
   const solid::Displacement d = displacement(solution);
   result.boundaries = {{"left", d, {}}, {"bottom", d, {}}, {"right", d, {}}, {"top", d, {}}};
@@ -138,7 +139,10 @@ double static_error(int order, int cells, double bend)
   const verification::Domain domain = verification::rectangle({0.0, 0.0}, {1.0, 1.0}, cells, order, bend, "solid");
   Timings timings;
   solid::Solver solver(manufactured(at_rest, bend != 0.0), domain.mesh(), domain.numbering, domain.x, timings);
-  std::vector<double> d = solver.initial().d;
+  // From near by: sudden displacements of the sides would crush the cells along them.
+  std::vector<double> d(domain.x.size());
+  for (std::size_t i = 0; i < d.size(); ++i)
+    d[i] = exact(domain.x[i - i % 2], domain.x[i - i % 2 + 1], 0.0)[i % 2];
   const std::vector<double> load(d.size(), 0.0);
   REQUIRE(solver.solve_static(load, d).status == linalg::NewtonStatus::converged);
   return verification::error(domain.mesh(), domain.x, d, 2, [](double x, double y) { return exact(x, y, 0.0); });
@@ -190,6 +194,21 @@ solid::Displacement homogeneous(const std::array<std::array<double, 2>, 2>& F)
   return {{formula("a*x + b*y", constants), formula("c*x + d*y", constants), 0.0}};
 }
 
+/// (F - I) X and a deviation that is largest in the middle, to start from.
+std::vector<double> near_homogeneous(const verification::Domain& domain, const std::array<std::array<double, 2>, 2>& F)
+{
+  std::vector<double> d(domain.x.size());
+  for (std::size_t i = 0; i < d.size(); i += 2)
+    for (std::size_t c = 0; c < 2; ++c)
+    {
+      const double X = domain.x[i];
+      const double Y = domain.x[i + 1];
+      d[i + c] = F[c][0] * X + F[c][1] * Y - domain.x[i + c] +
+                 0.03 * std::sin(std::numbers::pi * X) * std::sin(std::numbers::pi * Y);
+    }
+  return d;
+}
+
 /// Largest difference of d and (F - I) X.
 double difference(const verification::Domain& domain, const std::vector<double>& d,
                   const std::array<std::array<double, 2>, 2>& F)
@@ -226,9 +245,10 @@ TEST_CASE("the formulas of the manufactured solution agree with those made by co
     for (int j = 0; j < 2; ++j)
       CHECK(expression(moving.P(i, j))(X[0], X[1], 0.0, t) == doctest::Approx(P[2 * i + j]).epsilon(1e-12));
   }
-  mms_svk::d2_static(X, 0.0, lambda, mu, 1.0, amplitude, d, P, f);
+  mms_svk::d2_static(X, 0.0, lambda, mu, 1.0, 0.1, d, P, f);
   CHECK(d[1] == doctest::Approx(0.0523077555655).epsilon(1e-11));  // stored with the reference data
   CHECK(f[0] == doctest::Approx(0.439633466021).epsilon(1e-11));
+  mms_svk::d2_static(X, 0.0, lambda, mu, density, amplitude, d, P, f);
   CHECK(expression(at_rest.force(0))(X[0], X[1]) * density == doctest::Approx(f[0]).epsilon(1e-12));
 }
 
@@ -237,12 +257,12 @@ TEST_CASE("the displacement of a loaded body converges in L2 at order p + 1")
   for (const double bend : {0.0, 0.1})
     for (int order = 1; order <= 4; ++order)
     {
-      const int coarse = order == 1 ? 8 : order == 2 ? 4 : 2;
+      const int coarse = order == 1 ? 12 : order == 2 ? 6 : 4;
       const double first = static_error(order, coarse, bend);
       const double second = static_error(order, 2 * coarse, bend);
       const double rate = std::log2(first / second);
       MESSAGE("order " << order << ", bend " << bend << ": errors " << first << " " << second << ", rate " << rate);
-      CHECK(rate > order + 1 - 0.2);
+      CHECK(rate > order + 1 - 0.1);
     }
 }
 
@@ -270,10 +290,9 @@ TEST_CASE("a homogeneous deformation of the sides goes through a bent body uncha
       const verification::Domain domain = verification::rectangle({0.0, 0.0}, {1.0, 1.0}, order > 4 ? 1 : 2, order, 0.1, "solid");
       solid::Parameters parameters = material();
       parameters.plane = plane;
-      parameters.load_steps = 2;
       for (const char* name : {"left", "right", "bottom", "top"})
         parameters.boundaries.push_back({name, homogeneous(F), {}});
-      std::vector<double> d(domain.x.size(), 0.0);
+      std::vector<double> d = near_homogeneous(domain, F);
       solve(parameters, domain, d);
       CHECK(difference(domain, d, F) < 1e-11);
     }
