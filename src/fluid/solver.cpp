@@ -146,9 +146,11 @@ struct Solver::Problem
     linalg::sum(sums);
     const double count = static_cast<double>(solver.numbering_->total_count());
     const double density = solver.parameters_.density;
-    const double velocity = std::sqrt(sums[1] / count);
-    // A pressure is small if it is small against the dynamic pressure too: at rest both are round-off.
-    const double pressure = std::max(std::sqrt(sums[3] / count), density * velocity * velocity);
+    // A pressure is small if it is small against the dynamic pressure too. A fluid at rest under pressure has round-off
+    // for a velocity: small against what the pressure could bring about.
+    const double dynamic_pressure = density * sums[1] / count;
+    const double pressure = std::max(std::sqrt(sums[3] / count), dynamic_pressure);
+    const double velocity = std::max(std::sqrt(sums[1] / count), 1e-3 * std::sqrt(pressure / density));
     const auto ratio = [](double part, double whole) { return whole > 0.0 ? part / whole : part > 0.0 ? 1.0 : 0.0; };
     return std::max(ratio(std::sqrt(sums[0] / count), velocity), ratio(std::sqrt(sums[2] / count), pressure));
   }
@@ -213,14 +215,14 @@ void Solver::apply_conditions(const fem::TimeStep& step, const State& old, const
   }
 }
 
-void Solver::compute_body_force(const fem::TimeStep& step)
+void Solver::compute_body_force(const fem::TimeStep& step, std::span<const double> x)
 {
   const double t = step.t + step.theta * step.step;
   for (int c = 0; c < 2; ++c)
   {
     const Expression& force = parameters_.body_force[c];
     for (std::size_t node = 0; node < mesh_->node_count(); ++node)
-      body_force_[2 * node + c] = force(x0_[2 * node], x0_[2 * node + 1], 0.0, t);
+      body_force_[2 * node + c] = force(x[2 * node], x[2 * node + 1], 0.0, t);
   }
 }
 
@@ -228,7 +230,7 @@ linalg::NewtonReport Solver::solve(const fem::TimeStep& step, const State& old, 
                                    std::span<double> z)
 {
   apply_conditions(step, old, motion, z);
-  compute_body_force(step);
+  compute_body_force(step, motion.x);
   // Factors of another kind of step are worthless.
   const fem::TimeStep& kept = linearisation_.step;
   if (kept.theta * kept.step != step.theta * step.step)
@@ -245,6 +247,7 @@ std::vector<double> Solver::reaction(const fem::TimeStep& step, const State& old
 {
   const Stopwatch watch(*timings_, Task::transfer);
   std::vector<double> result(z.size());
+  compute_body_force(step, motion.x);
   Problem{*this, step, old.u, motion}.residual(z, result);
   numbering_->add_from_ghosts(result, 3);
   return result;
@@ -263,7 +266,9 @@ State Solver::finish(const fem::TimeStep& step, const State& old, std::span<cons
     }
     state.p[node] = z[3 * node + 2];
   }
-  state.p_before = old.p;
+  // The pressure before the first step is not known.
+  const bool first = old.p_time == old.p_before_time;
+  state.p_before = first ? state.p : old.p;
   state.p_before_time = old.p_time;
   state.time = step.t + step.step;
   state.p_time = step.t + step.theta * step.step;
@@ -276,7 +281,7 @@ void Solver::restore(const Linearisation& linearisation)
   factors_.stale = linearisation.stale || linearisation.z.empty();
   if (factors_.stale)
     return;
-  compute_body_force(linearisation.step);
+  compute_body_force(linearisation.step, linearisation_.x);
   Problem problem{*this, linearisation.step, linearisation_.u_old, {linearisation_.x, linearisation_.w}};
   problem.tangent(linearisation_.z, system_.cell_matrices());
   system_.assemble();

@@ -90,7 +90,7 @@ private:
 
   void apply_conditions(const fem::TimeStep& step, const State& old, const MeshMotion& motion,
                         std::span<double> z) const;
-  void compute_body_force(const fem::TimeStep& step);
+  void compute_body_force(const fem::TimeStep& step, std::span<const double> x);
 
   Parameters parameters_;
   const mesh::Mesh* mesh_;
