@@ -12,6 +12,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -46,7 +47,8 @@ Exit run(const Arguments& arguments)
 Exit check(const Arguments& arguments)
 {
   const blockfsi::case_file::Case description = read(arguments);
-  fmt::print("{}: no mistakes found\n", description.path.string());
+  if (blockfsi::linalg::part().rank == 0)
+    fmt::print("{}: no mistakes found\n", description.path.string());
   return Exit::done;
 }
 
@@ -83,6 +85,18 @@ void add_case(CLI::App& command, Arguments& arguments)
       ->allow_extra_args(false);
 }
 
+/// Ends this process after an error. Where all others have failed too, process 0 tells; otherwise this one
+/// does, and ends the others, which would wait for it for ever.
+Exit end_with(Exit code, const std::string& message)
+{
+  const bool together = blockfsi::linalg::all_arrive(2.0);
+  if (!together || blockfsi::linalg::part().rank == 0)
+    fmt::print(stderr, "{}\n", message);
+  if (!together)
+    blockfsi::linalg::abort(static_cast<int>(code));
+  return code;
+}
+
 Exit dispatch(int count, char** values)
 {
   CLI::App app("blockfsi: fluid-structure interaction with the mesh generator inside the solver");
@@ -107,7 +121,8 @@ Exit dispatch(int count, char** values)
   verify_command->add_option("--directory", arguments.directory, "folder of the results");
   verify_command->add_option("--level", arguments.level, "references of the full or the short form")
       ->check(CLI::IsMember({"full", "short"}));
-  verify_command->add_flag("--finished", arguments.finished, "take the results that are there instead of running");
+  verify_command->add_flag("--finished", arguments.finished,
+                           "take the results that are there instead of running");
 
   CLI::App* describe_command = app.add_subcommand("describe", "explain every key of a case file");
 
@@ -136,9 +151,15 @@ Exit dispatch(int count, char** values)
   }
   catch (const blockfsi::Error& error)
   {
-    if (blockfsi::linalg::part().rank == 0)
-      fmt::print(stderr, "{}\n", error.what());
-    return Exit::user_error;
+    return end_with(Exit::user_error, error.what());
+  }
+  catch (const std::filesystem::filesystem_error& error)
+  {
+    return end_with(Exit::user_error, error.what());
+  }
+  catch (const std::exception& error)
+  {
+    return end_with(Exit::internal_error, fmt::format("blockfsi: internal error: {}", error.what()));
   }
 }
 
@@ -153,6 +174,6 @@ int main(int count, char** values)
   catch (const std::exception& error)
   {
     fmt::print(stderr, "blockfsi: internal error: {}\n", error.what());
-    return 70;
+    return static_cast<int>(Exit::internal_error);
   }
 }

@@ -22,13 +22,10 @@ std::string with_location(const Location& location, const std::string& message)
 
 }  // namespace
 
-Error::Error(std::string message) : std::runtime_error(message), message_(std::move(message))
-{
-}
+Error::Error(std::string message) : std::runtime_error(message), message_(std::move(message)) {}
 
 Error::Error(Location location, std::string message)
-    : std::runtime_error(with_location(location, message)),
-      message_(std::move(message)),
+    : std::runtime_error(with_location(location, message)), message_(std::move(message)),
       location_(std::move(location))
 {
 }

@@ -19,7 +19,7 @@ enum class Task
 };
 
 inline constexpr std::array<std::string_view, 6> task_names = {"place", "assembly", "factorisation",
-                                                                "solve", "transfer", "output"};
+                                                               "solve", "transfer", "output"};
 
 /// Wall time [s] and number of calls by task.
 struct Timings

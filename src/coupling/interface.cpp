@@ -7,8 +7,7 @@
 namespace blockfsi::coupling
 {
 
-Interface::Interface(std::span<const std::int64_t> numbers, const mesh::Mesh& mesh)
-    : count_(numbers.size())
+Interface::Interface(std::span<const std::int64_t> numbers, const mesh::Mesh& mesh) : count_(numbers.size())
 {
   const int rank = linalg::part().rank;
   for (std::size_t index = 0; index < numbers.size(); ++index)

@@ -9,8 +9,8 @@
 namespace blockfsi::coupling
 {
 
-/// The nodes that one mesh shares with the other across the interface. Every process knows the whole interface;
-/// both meshes come from the same blocks, so node i of one is node i of the other.
+/// The nodes that one mesh shares with the other across the interface. Every process knows the whole
+/// interface; both meshes come from the same blocks, so node i of one is node i of the other.
 class Interface
 {
 public:
@@ -19,8 +19,8 @@ public:
 
   std::size_t count() const { return count_; }
 
-  /// Values at the interface from a nodal field of shape (node_count, stride), of which the first two components
-  /// are taken; complete on all processes. `values`: shape (count, 2), written.
+  /// Values at the interface from a nodal field of shape (node_count, stride), of which the first two
+  /// components are taken; complete on all processes. `values`: shape (count, 2), written.
   void gather(std::span<const double> field, int stride, std::span<double> values) const;
 
   /// Puts values at the interface, shape (count, 2), into a nodal field of shape (node_count, 2).

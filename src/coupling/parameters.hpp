@@ -21,9 +21,9 @@ struct Aitken
 /// (Degroote, Bathe & Vierendeels 2009), filter QR2 (Haelterman et al. 2016).
 struct IqnIls
 {
-  int reuse = 8;          ///< steps whose columns are kept
-  double filter = 1e-2;   ///< columns with |r_jj| < filter |v_j| are dropped [-]
-  double initial = 0.5;   ///< relaxation while no column is known [-]
+  int reuse = 8;         ///< steps whose columns are kept
+  double filter = 1e-2;  ///< columns with |r_jj| < filter |v_j| are dropped [-]
+  double initial = 0.5;  ///< relaxation while no column is known [-]
 };
 
 using Accelerator = std::variant<Constant, Aitken, IqnIls>;

@@ -21,17 +21,14 @@ struct NodalField
 
 /// Integrates weak forms over the cells of a mesh, eight cells at a time.
 ///
-/// The physics is a function at a point (fem/point.hpp); mapping, interpolation, integration and scatter are the
-/// same for all. Tangents come from the same function on dual numbers, hence are exact. After the first call
-/// nothing is allocated.
+/// The physics is a function at a point (fem/point.hpp); mapping, interpolation, integration and scatter are
+/// the same for all. Tangents come from the same function on dual numbers, hence are exact. After the first
+/// call nothing is allocated.
 class CellLoop
 {
 public:
   /// `points`: Gauss points along each direction. The mesh must outlive the loop.
-  CellLoop(const mesh::Mesh& mesh, int points)
-      : mesh_(&mesh), table_(make_line_table(mesh.order, points))
-  {
-  }
+  CellLoop(const mesh::Mesh& mesh, int points) : mesh_(&mesh), table_(make_line_table(mesh.order, points)) {}
 
   const LineTable& table() const { return table_; }
   const mesh::Mesh& mesh() const { return *mesh_; }
@@ -69,6 +66,9 @@ private:
   template <class P>
   void evaluate(std::size_t batch, std::span<const double> x, std::span<const double> unknown,
                 std::span<const NodalField> data);
+  void tabulate(bool second_derivatives);
+  template <class P>
+  void contract(int trial);
   template <class P>
   void write_tangent(std::size_t batch, std::span<double> matrices);
 
@@ -78,6 +78,7 @@ private:
   std::vector<Lanes> nodal_;
   std::vector<Lanes> values_;
   std::vector<Lanes> factors_;
+  std::vector<Lanes> contracted_;
   std::vector<Lanes> residual_;
 };
 

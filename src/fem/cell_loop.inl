@@ -66,8 +66,7 @@ void CellLoop::evaluate(std::size_t batch, std::span<const double> x, std::span<
         value[detail::gradient_input<P>(u, k)] = grad[k];
       if (curved)
       {
-        const std::array<Lanes, 3> h =
-            second(point, grad, reference[3][q], reference[4][q], reference[5][q]);
+        const std::array<Lanes, 3> h = second(point, grad, reference[3][q], reference[4][q], reference[5][q]);
         for (int k = 0; k < 3; ++k)
           value[detail::second_input<P>(u, k)] = h[k];
       }
@@ -92,7 +91,8 @@ namespace detail
 
 /// The inputs of a point, either as plain numbers or each with its own derivative.
 template <class P, class S>
-PointInput<S, P::unknowns, P::curved, P::data> point_input(const Lanes* values, const CellGeometry::Point& point)
+PointInput<S, P::unknowns, P::curved, P::data> point_input(const Lanes* values,
+                                                           const CellGeometry::Point& point)
 {
   const auto number = [values](int i)
   {
@@ -135,7 +135,8 @@ void CellLoop::add_residual(const P& physics, std::span<const double> x, std::sp
     for (int q = 0; q < m; ++q)
     {
       const CellGeometry::Point& point = geometry_.points[q];
-      const auto in = detail::point_input<P, Lanes>(values_.data() + static_cast<std::size_t>(q) * width, point);
+      const auto in =
+          detail::point_input<P, Lanes>(values_.data() + static_cast<std::size_t>(q) * width, point);
       PointOutput<Lanes, P::unknowns> out;
       physics(in, out);
       for (int u = 0; u < P::unknowns; ++u)
@@ -192,21 +193,14 @@ void CellLoop::tangent(const P& physics, std::span<const double> x, std::span<co
   }
 }
 
-/// Contracts the factors of a batch with test and trial functions:
-/// K(a u, b v) = sum_q sum_k sum_l T_k(a) factor(u k, v l) S_l(b),
-/// with T = (N, N_x, N_y) and S = (N, N_x, N_y, N_xx, N_xy, N_yy).
-template <class P>
-void CellLoop::write_tangent(std::size_t batch, std::span<double> matrices)
+/// Fills values_ with the functions of a batch of cells in physical coordinates, shape (nodes, points, 6):
+/// N, N_x, N_y, N_xx, N_xy, N_yy, the last three only if asked for.
+inline void CellLoop::tabulate(bool second_derivatives)
 {
-  constexpr int inputs = detail::input_count<P>;
-  constexpr int outputs = 3 * P::unknowns;
   const int n = mesh_->nodes_per_cell();
   const int nodes = table_.nodes;
   const int points = table_.points;
   const int m = points * points;
-  const int size = n * P::unknowns;
-
-  // Trial functions in physical coordinates, shape (nodes, points, 6).
   values_.resize(static_cast<std::size_t>(n) * m * 6);
   for (int b = 0; b < n; ++b)
     for (int q = 0; q < m; ++q)
@@ -220,48 +214,63 @@ void CellLoop::write_tangent(std::size_t batch, std::span<double> matrices)
       s[0] = lanes(table_.value[q1] * table_.value[q2]);
       s[1] = grad[0];
       s[2] = grad[1];
-      if constexpr (P::curved > 0)
-      {
-        const auto h = second(point, grad, lanes(table_.second[q1] * table_.value[q2]),
-                              lanes(table_.first[q1] * table_.first[q2]),
-                              lanes(table_.value[q1] * table_.second[q2]));
-        std::copy(h.begin(), h.end(), s + 3);
-      }
+      if (!second_derivatives)
+        continue;
+      const auto h =
+          second(point, grad, lanes(table_.second[q1] * table_.value[q2]),
+                 lanes(table_.first[q1] * table_.first[q2]), lanes(table_.value[q1] * table_.second[q2]));
+      std::copy(h.begin(), h.end(), s + 3);
     }
+}
 
-  std::vector<Lanes>& contracted = nodal_;  // for one trial function, shape (points, outputs, unknowns)
-  contracted.resize(static_cast<std::size_t>(m) * outputs * P::unknowns);
+/// Contracts the factors of all points with one trial function, shape (points, outputs, unknowns).
+template <class P>
+void CellLoop::contract(int trial)
+{
+  constexpr int inputs = detail::input_count<P>;
+  constexpr int outputs = 3 * P::unknowns;
+  const int m = table_.points * table_.points;
+  contracted_.resize(static_cast<std::size_t>(m) * outputs * P::unknowns);
+  Lanes* out = contracted_.data();
+  const Lanes* factor = factors_.data();
+  const Lanes* s = values_.data() + static_cast<std::size_t>(trial) * m * 6;
+  for (int q = 0; q < m; ++q, s += 6)
+    for (int o = 0; o < outputs; ++o, factor += inputs)
+      for (int v = 0; v < P::unknowns; ++v)
+      {
+        Lanes sum = factor[detail::value_input<P>(v)] * s[0];
+        for (int k = 0; k < 2; ++k)
+          sum += factor[detail::gradient_input<P>(v, k)] * s[1 + k];
+        if (v < P::curved)
+          for (int k = 0; k < 3; ++k)
+            sum += factor[detail::second_input<P>(v, k)] * s[3 + k];
+        *out++ = sum;
+      }
+}
+
+/// Contracts the factors of a batch with test and trial functions:
+/// K(a u, b v) = sum_q sum_k sum_l T_k(a) factor(u k, v l) S_l(b),
+/// with T = (N, N_x, N_y) and S = (N, N_x, N_y, N_xx, N_xy, N_yy).
+template <class P>
+void CellLoop::write_tangent(std::size_t batch, std::span<double> matrices)
+{
+  const int n = mesh_->nodes_per_cell();
+  const int m = table_.points * table_.points;
+  const int size = n * P::unknowns;
+  tabulate(P::curved > 0);
   for (int b = 0; b < n; ++b)
   {
-    for (int q = 0; q < m; ++q)
-    {
-      const Lanes* s = values_.data() + (static_cast<std::size_t>(b) * m + q) * 6;
-      const Lanes* factor = factors_.data() + static_cast<std::size_t>(q) * outputs * inputs;
-      Lanes* out = contracted.data() + static_cast<std::size_t>(q) * outputs * P::unknowns;
-      for (int o = 0; o < outputs; ++o, factor += inputs)
-        for (int v = 0; v < P::unknowns; ++v)
-        {
-          Lanes sum = factor[detail::value_input<P>(v)] * s[0];
-          for (int k = 0; k < 2; ++k)
-            sum += factor[detail::gradient_input<P>(v, k)] * s[1 + k];
-          if (v < P::curved)
-            for (int k = 0; k < 3; ++k)
-              sum += factor[detail::second_input<P>(v, k)] * s[3 + k];
-          *out++ = sum;
-        }
-    }
+    contract<P>(b);
     for (int a = 0; a < n; ++a)
     {
       Lanes block[P::unknowns * P::unknowns] = {};
-      const Lanes* in = contracted.data();
-      for (int q = 0; q < m; ++q)
-      {
-        const Lanes* t = values_.data() + (static_cast<std::size_t>(a) * m + q) * 6;
+      const Lanes* in = contracted_.data();
+      const Lanes* t = values_.data() + static_cast<std::size_t>(a) * m * 6;
+      for (int q = 0; q < m; ++q, t += 6)
         for (int u = 0; u < P::unknowns; ++u)
           for (int k = 0; k < 3; ++k)
             for (int v = 0; v < P::unknowns; ++v)
               block[u * P::unknowns + v] += t[k] * *in++;
-      }
       for (int lane = 0; lane < used(batch); ++lane)
       {
         double* matrix = matrices.data() + (batch * lane_count + lane) * size * size;

@@ -5,8 +5,8 @@
 namespace blockfsi::fem
 {
 
-/// The Lagrange functions of one order on the unit interval at the points of a Gauss rule: all that tensor-product
-/// cells need. Arrays are row-major, shape (points, nodes).
+/// The Lagrange functions of one order on the unit interval at the points of a Gauss rule: all that
+/// tensor-product cells need. Arrays are row-major, shape (points, nodes).
 struct LineTable
 {
   int points = 0;

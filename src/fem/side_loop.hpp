@@ -29,10 +29,12 @@ public:
   /// `points`: Gauss points on a side. The mesh must outlive the loop.
   SideLoop(const mesh::Mesh& mesh, int points);
 
-  /// Adds to the residual of all sides the integral of test function times physics(in)[u]; arguments as CellLoop.
+  /// Adds to the residual of all sides the integral of test function times physics(in)[u]; arguments as
+  /// CellLoop.
   template <class P>
   void add_residual(const P& physics, std::span<const mesh::Side> sides, std::span<const double> x,
-                    std::span<const double> unknown, std::span<const NodalField> data, std::span<double> residual);
+                    std::span<const double> unknown, std::span<const NodalField> data,
+                    std::span<double> residual);
 
   /// Adds the derivative to the matrices of the cells that the sides belong to.
   template <class P>
@@ -70,7 +72,8 @@ private:
 };
 
 template <class P, class S>
-SideInput<S, P::unknowns, P::data> SideLoop::input(const mesh::Side& side, int q, std::span<const double> unknown,
+SideInput<S, P::unknowns, P::data> SideLoop::input(const mesh::Side& side, int q,
+                                                   std::span<const double> unknown,
                                                    std::span<const NodalField> data) const
 {
   const auto nodes = mesh_->cell(side.cell);
@@ -109,7 +112,8 @@ SideInput<S, P::unknowns, P::data> SideLoop::input(const mesh::Side& side, int q
     {
       in.data[entry] = 0.0;
       for (std::size_t a = 0; a < nodes.size(); ++a)
-        in.data[entry] += functions.value[a] * field.values[static_cast<std::size_t>(nodes[a]) * field.components + c];
+        in.data[entry] +=
+            functions.value[a] * field.values[static_cast<std::size_t>(nodes[a]) * field.components + c];
     }
   return in;
 }

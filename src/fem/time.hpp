@@ -18,8 +18,8 @@ struct TimeParameters
   double step = 0.1;  ///< [s]
   /// Steps at the start that are each done as two backward Euler half steps (Rannacher 1984).
   int start_up = 2;
-  /// Time in which ringing from step to step falls by e [s]: theta = 1/2 + step / (4 ringing_decay). A fixed time
-  /// keeps second order when the step is refined; 0 means 20 steps.
+  /// Time in which ringing from step to step falls by e [s]: theta = 1/2 + step / (4 ringing_decay). A fixed
+  /// time keeps second order when the step is refined; 0 means 20 steps.
   double ringing_decay = 0.0;
 };
 

@@ -106,7 +106,8 @@ Conditions find_conditions(const Parameters& parameters, const mesh::Mesh& mesh,
     else
       prescribe(both_components(condition.boundary, mesh, numbering), rank, Prescribed::Kind::zero, {});
   }
-  prescribe(both_components(interface_name, mesh, numbering), interface_priority, Prescribed::Kind::interface, {});
+  prescribe(both_components(interface_name, mesh, numbering), interface_priority, Prescribed::Kind::interface,
+            {});
 
   for (std::size_t i = 0; i < entries.size(); ++i)
     if (winner[i] > 0)

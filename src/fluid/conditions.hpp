@@ -36,8 +36,8 @@ struct Conditions
 /// The name of the boundary between fluid and solid in a mesh of one region.
 inline constexpr std::string_view interface_name = "interface";
 
-/// Which velocity components are prescribed. Where boundaries meet, a wall wins over the interface, that over a
-/// prescribed velocity, that over slip.
+/// Which velocity components are prescribed. Where boundaries meet, a wall wins over the interface, that over
+/// a prescribed velocity, that over slip.
 ///   x [m], shape (node_count, 2).
 /// Throws Error for slip on a boundary that is not along an axis. All processes must call it together.
 Conditions find_conditions(const Parameters& parameters, const mesh::Mesh& mesh,

@@ -42,9 +42,9 @@ struct Flow
     S residual[2];
     for (int i = 0; i < 2; ++i)
     {
-      out.value[i] = rho * rate * (u[i] - in.data[i])                                  // rho du/dt
-                     + rho * (relative[0] * grad[i][0] + relative[1] * grad[i][1])     // rho (u - w) . grad u
-                     - rho * in.data[4 + i];                                           // - rho f
+      out.value[i] = rho * rate * (u[i] - in.data[i])                               // rho du/dt
+                     + rho * (relative[0] * grad[i][0] + relative[1] * grad[i][1])  // rho (u - w) . grad u
+                     - rho * in.data[4 + i];                                        // - rho f
       residual[i] = out.value[i] + grad[2][i] - viscous[i];
     }
     const S inverse_tau = this->inverse_tau(relative, in.metric);
@@ -55,7 +55,7 @@ struct Flow
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j)
       {
-        out.gradient[i][j] = mu * (grad[i][j] + grad[j][i])    // 2 mu eps
+        out.gradient[i][j] = mu * (grad[i][j] + grad[j][i])      // 2 mu eps
                              + tau * residual[i] * relative[j];  // SUPG
         if (i == j)
           out.gradient[i][j] = out.gradient[i][j] + isotropic;
@@ -73,14 +73,15 @@ private:
     const double kinematic = inverse_constant * viscosity / density;
     const Lanes constant = step_frequency * step_frequency +
                            0.5 * kinematic * kinematic * (g[0] * g[0] + 2.0 * g[1] * g[1] + g[2] * g[2]);
-    const S advective = relative[0] * (relative[0] * g[0] + relative[1] * (2.0 * g[1])) +
-                        relative[1] * relative[1] * g[2];
+    const S advective =
+        relative[0] * (relative[0] * g[0] + relative[1] * (2.0 * g[1])) + relative[1] * relative[1] * g[2];
     return sqrt(advective * lanes(4.0 * order * order) + constant);
   }
 };
 
 /// Constant C_k of ||laplace v||^2 <= C_k / h^2 ||grad v||^2 for polynomials of order k on a square of side h
-/// (Harari & Hughes 1992; largest eigenvalue, computed for k = 2..8; k = 1 is set so that tau stays h^2 / (12 nu)).
+/// (Harari & Hughes 1992; largest eigenvalue, computed for k = 2..8; k = 1 is set so that tau stays h^2 / (12
+/// nu)).
 double inverse_constant(int order);
 
 /// Traction on boundaries where the velocity is free.
@@ -95,7 +96,8 @@ struct OpenBoundary
   double backflow = 0.5;
   bool do_nothing = false;  ///< subtract the transposed gradient, so that a developed flow leaves undisturbed
   /// Prescribed traction [Pa] at a point with an outward normal.
-  std::function<std::array<double, 2>(const std::array<double, 2>& x, const std::array<double, 2>& normal)> traction;
+  std::function<std::array<double, 2>(const std::array<double, 2>& x, const std::array<double, 2>& normal)>
+      traction;
 
   template <class S>
   std::array<S, 3> operator()(const fem::SideInput<S, 3, 2>& in) const

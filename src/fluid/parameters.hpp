@@ -58,9 +58,9 @@ struct Newton
 struct Parameters
 {
   std::string region = "fluid";
-  double density = 1.0;    ///< [kg/m^3]
-  double viscosity = 1.0;  ///< dynamic [Pa s]
-  std::array<Expression, 3> body_force;  ///< per mass [m/s^2]
+  double density = 1.0;                        ///< [kg/m^3]
+  double viscosity = 1.0;                      ///< dynamic [Pa s]
+  std::array<Expression, 3> body_force;        ///< per mass [m/s^2]
   std::array<Expression, 3> initial_velocity;  ///< [m/s]
   double backflow = 0.5;  ///< beta of the backflow stabilisation on Traction and Outflow [-]
   std::vector<BoundaryCondition> boundaries;

@@ -146,27 +146,24 @@ struct Solver::Problem
     linalg::sum(sums);
     const double count = static_cast<double>(solver.numbering_->total_count());
     const double density = solver.parameters_.density;
-    // A pressure is small if it is small against the dynamic pressure too. A fluid at rest under pressure has round-off
-    // for a velocity: small against what the pressure could bring about.
+    // A pressure is small if it is small against the dynamic pressure too. A fluid at rest under pressure has
+    // round-off for a velocity: small against what the pressure could bring about.
     const double dynamic_pressure = density * sums[1] / count;
     const double pressure = std::max(std::sqrt(sums[3] / count), dynamic_pressure);
     const double velocity = std::max(std::sqrt(sums[1] / count), 1e-3 * std::sqrt(pressure / density));
-    const auto ratio = [](double part, double whole) { return whole > 0.0 ? part / whole : part > 0.0 ? 1.0 : 0.0; };
+    const auto ratio = [](double part, double whole) {
+      return whole > 0.0 ? part / whole : part > 0.0 ? 1.0 : 0.0;
+    };
     return std::max(ratio(std::sqrt(sums[0] / count), velocity), ratio(std::sqrt(sums[2] / count), pressure));
   }
 };
 
 Solver::Solver(const Parameters& parameters, const mesh::Mesh& mesh, const linalg::Numbering& numbering,
                std::span<const double> x, Timings& timings)
-    : parameters_(parameters),
-      mesh_(&mesh),
-      numbering_(&numbering),
-      timings_(&timings),
-      x0_(x.begin(), x.end()),
-      cells_(mesh, quadrature_points(mesh.order)),
+    : parameters_(parameters), mesh_(&mesh), numbering_(&numbering), timings_(&timings),
+      x0_(x.begin(), x.end()), cells_(mesh, quadrature_points(mesh.order)),
       sides_(mesh, quadrature_points(mesh.order)),
-      conditions_(find_conditions(parameters, mesh, numbering, x)),
-      body_force_(2 * mesh.node_count(), 0.0),
+      conditions_(find_conditions(parameters, mesh, numbering, x)), body_force_(2 * mesh.node_count(), 0.0),
       system_(numbering, 3, mesh.cells, mesh.nodes_per_cell(), fixed_everywhere(conditions_, mesh, numbering),
               "fluid_")
 {
@@ -210,7 +207,8 @@ void Solver::apply_conditions(const fem::TimeStep& step, const State& old, const
       continue;
     }
     const double* x = &x0_[2 * static_cast<std::size_t>(entry.node)];
-    const double at_end = entry.kind == Prescribed::Kind::expression ? entry.value(x[0], x[1], 0.0, end) : 0.0;
+    const double at_end =
+        entry.kind == Prescribed::Kind::expression ? entry.value(x[0], x[1], 0.0, end) : 0.0;
     value = step.theta * at_end + (1.0 - step.theta) * old.u[i];
   }
 }

@@ -41,8 +41,8 @@ struct MeshMotion
 
 /// The stabilised finite element solution of the flow in one region.
 ///
-/// The unknown of a step, z = (u_x, u_y, p) at t + theta step, has shape (node_count, 3). On the boundary named
-/// "interface" the velocity is that of the mesh.
+/// The unknown of a step, z = (u_x, u_y, p) at t + theta step, has shape (node_count, 3). On the boundary
+/// named "interface" the velocity is that of the mesh.
 class Solver
 {
 public:
@@ -58,11 +58,11 @@ public:
   void guess(const fem::TimeStep& step, const State& old, std::span<double> z) const;
 
   /// Solves for z, starting from its present value; steady if step.step is 0.
-  [[nodiscard]] linalg::NewtonReport solve(const fem::TimeStep& step, const State& old, const MeshMotion& motion,
-                                           std::span<double> z);
+  [[nodiscard]] linalg::NewtonReport solve(const fem::TimeStep& step, const State& old,
+                                           const MeshMotion& motion, std::span<double> z);
 
-  /// Residual of the momentum equation at all nodes, conditions not applied, shape (node_count, 3): at nodes of a
-  /// boundary minus the force of the fluid on it [N/m]. Complete at owned nodes.
+  /// Residual of the momentum equation at all nodes, conditions not applied, shape (node_count, 3): at nodes
+  /// of a boundary minus the force of the fluid on it [N/m]. Complete at owned nodes.
   std::vector<double> reaction(const fem::TimeStep& step, const State& old, const MeshMotion& motion,
                                std::span<const double> z);
 

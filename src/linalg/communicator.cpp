@@ -2,6 +2,10 @@
 
 #include <mpi.h>
 
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+
 namespace blockfsi::linalg
 {
 
@@ -87,6 +91,39 @@ void barrier()
 {
   if (!alone())
     MPI_Barrier(MPI_COMM_WORLD);
+}
+
+bool all_arrive(double seconds)
+{
+  // Messages of a tag of their own: processes that wait in a collective operation do not see them.
+  constexpr int tag = 3;
+  if (alone())
+    return true;
+  const int size = part().size;
+  const char mine = 0;
+  std::vector<char> theirs(size);
+  std::vector<MPI_Request> requests;
+  for (int rank = 0; rank < size; ++rank)
+  {
+    MPI_Irecv(&theirs[rank], 1, MPI_CHAR, rank, tag, MPI_COMM_WORLD, &requests.emplace_back());
+    MPI_Isend(&mine, 1, MPI_CHAR, rank, tag, MPI_COMM_WORLD, &requests.emplace_back());
+  }
+  const auto start = std::chrono::steady_clock::now();
+  while (true)
+  {
+    int all = 0;
+    MPI_Testall(static_cast<int>(requests.size()), requests.data(), &all, MPI_STATUSES_IGNORE);
+    const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - start;
+    if (all != 0 || waited.count() > seconds)
+      return all != 0;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+void abort(int code)
+{
+  MPI_Abort(MPI_COMM_WORLD, code);
+  std::abort();
 }
 
 }  // namespace blockfsi::linalg

@@ -26,5 +26,10 @@ std::vector<std::byte> gather_bytes(std::span<const std::byte> mine);
 std::int64_t from_first(std::int64_t value);
 /// Waits until all processes are here.
 void barrier();
+/// Waits at most so long [s] until all processes have called this; false if some did not come. For the end of
+/// a process that cannot go on: whether the others wait for it somewhere else.
+bool all_arrive(double seconds);
+/// Ends all processes at once with an exit code.
+[[noreturn]] void abort(int code);
 
 }  // namespace blockfsi::linalg

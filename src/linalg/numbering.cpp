@@ -70,7 +70,8 @@ void Numbering::find_neighbours(std::span<const std::int64_t> lattice, std::span
     {
       for (const std::int32_t node : neighbours[rank].ghosts)
         sent[rank].push_back(lattice[node]);
-      MPI_Isend(sent[rank].data(), need[rank], MPI_INT64_T, rank, 1, MPI_COMM_WORLD, &requests.emplace_back());
+      MPI_Isend(sent[rank].data(), need[rank], MPI_INT64_T, rank, 1, MPI_COMM_WORLD,
+                &requests.emplace_back());
     }
   }
   MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace blockfsi::linalg
@@ -15,9 +16,9 @@ struct System::Data
   const Numbering* numbering;
   int components;
   std::vector<std::uint8_t> fixed;
-  std::vector<double> values;     ///< cell matrices, then the diagonal of owned fixed unknowns
+  std::vector<double> values;  ///< cell matrices, then the diagonal of owned fixed unknowns
   std::size_t cell_value_count;
-  std::vector<double> summed;     ///< residual with the contributions of ghosts
+  std::vector<double> summed;  ///< residual with the contributions of ghosts
   petsc::Matrix matrix;
   petsc::Vector right;
   petsc::Vector solution;
@@ -78,11 +79,14 @@ void choose_solver(KSP solver, const std::string& prefix)
   petsc::check(PCSetType(preconditioner, PCLU));
   petsc::check(PCFactorSetMatSolverType(preconditioner, MATSOLVERMUMPS));
   // PORD needs the least work on these matrices; the default workspace of 20 % is often too small.
-  const std::string defaults = "-" + prefix + "mat_mumps_icntl_7 4 -" + prefix + "mat_mumps_icntl_14 60";
-  PetscBool set = PETSC_FALSE;
-  petsc::check(PetscOptionsHasName(nullptr, prefix.c_str(), "-mat_mumps_icntl_7", &set));
-  if (set == PETSC_FALSE)
-    petsc::check(PetscOptionsInsertString(nullptr, defaults.c_str()));
+  for (const auto& [name, value] :
+       {std::pair{"mat_mumps_icntl_7", "4"}, std::pair{"mat_mumps_icntl_14", "60"}})
+  {
+    PetscBool set = PETSC_FALSE;
+    petsc::check(PetscOptionsHasName(nullptr, prefix.c_str(), ("-" + std::string(name)).c_str(), &set));
+    if (set == PETSC_FALSE)
+      petsc::check(PetscOptionsSetValue(nullptr, ("-" + prefix + name).c_str(), value));
+  }
   petsc::check(KSPSetFromOptions(solver));
 }
 
@@ -99,7 +103,8 @@ System::System(const Numbering& numbering, int components, std::span<const std::
   const std::size_t n = static_cast<std::size_t>(nodes_per_cell) * components;
   data_->cell_value_count = cell_nodes.size() / nodes_per_cell * n * n;
   data_->values.assign(entries.row.size(), 0.0);
-  std::fill(data_->values.begin() + static_cast<std::ptrdiff_t>(data_->cell_value_count), data_->values.end(), 1.0);
+  std::fill(data_->values.begin() + static_cast<std::ptrdiff_t>(data_->cell_value_count), data_->values.end(),
+            1.0);
 
   const auto own = static_cast<PetscInt>(numbering.owned_count() * components);
   petsc::check(MatCreate(PETSC_COMM_WORLD, data_->matrix.address()));
@@ -161,6 +166,8 @@ Status System::solve(std::span<const double> residual, std::span<double> increme
   petsc::check(VecRestoreArrayWrite(data_->right, &array));
 
   petsc::check(KSPSolve(data_->solver, data_->right, data_->solution));
+  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+  petsc::check(KSPGetConvergedReason(data_->solver, &reason));
 
   const double* result = nullptr;
   petsc::check(VecGetArrayRead(data_->solution, &result));
@@ -174,7 +181,10 @@ Status System::solve(std::span<const double> residual, std::span<double> increme
     }
   petsc::check(VecRestoreArrayRead(data_->solution, &result));
   data_->numbering->update_ghosts(increment, components);
-  return any(!finite) ? Status::not_finite : Status::ok;
+  if (any(!finite))
+    return Status::not_finite;
+  // Only an iterative solver chosen by options can end without converging.
+  return reason < 0 ? Status::not_converged : Status::ok;
 }
 
 }  // namespace blockfsi::linalg

@@ -13,8 +13,9 @@ namespace blockfsi::linalg
 enum class Status
 {
   ok,
-  singular,     ///< the factorisation failed
-  not_finite,   ///< the solution has nan or inf
+  singular,      ///< the factorisation failed
+  not_finite,    ///< the solution has nan or inf
+  not_converged  ///< an iterative solver, chosen by PETSc's options, did not reach its tolerance
 };
 
 /// A distributed sparse system made of cell matrices, solved with factors that are kept until renewed.
@@ -34,7 +35,8 @@ public:
   System& operator=(System&&) noexcept;
   ~System();
 
-  /// The cell matrices, shape (cell_count, n, n) with n = nodes_per_cell * components, to be written by the caller.
+  /// The cell matrices, shape (cell_count, n, n) with n = nodes_per_cell * components, to be written by the
+  /// caller.
   std::span<double> cell_matrices();
 
   /// Adds up the cell matrices: the first half of renewing the factors.

@@ -10,8 +10,8 @@
 namespace blockfsi::motion
 {
 
-/// The fluid mesh made anew from the blocks and the moved interface: a linear map of the interface, without memory
-/// and without equations to solve.
+/// The fluid mesh made anew from the blocks and the moved interface: a linear map of the interface, without
+/// memory and without equations to solve.
 class Regenerate
 {
 public:

@@ -29,8 +29,8 @@ struct Force
 
 struct Parameters
 {
-  std::string directory;  ///< empty: results/ beside the case file
-  double every = 0.0;     ///< simulated time between field files [s]; 0: only the last state
+  std::string directory;       ///< empty: results/ beside the case file
+  double every = 0.0;          ///< simulated time between field files [s]; 0: only the last state
   int checkpoint_every = 100;  ///< steps
   std::vector<Probe> probes;
   std::vector<Force> forces;

@@ -74,8 +74,8 @@ fluid::Solver::Linearisation fluid_linearisation(const output::Arrays& arrays, c
 output::Arrays Simulation::save() const
 {
   output::Arrays arrays;
-  arrays["step"] = std::vector<std::int64_t>{step_};
-  arrays["time"] = std::vector<double>{time_};
+  arrays["step"] = std::vector<std::int64_t>{step_, start_step_};
+  arrays["time"] = std::vector<double>{time_, start_time_, case_.time.step};
   if (fluid_)
   {
     put(arrays, "fluid.", fluid_->state());
@@ -108,8 +108,12 @@ output::Arrays Simulation::save() const
 void Simulation::restore(const output::Arrays& arrays)
 {
   using Values = std::vector<double>;
+  const Values clock = take(arrays, "time", 3);
+  const bool same_steps = clock[2] == case_.time.step;
   step_ = output::get<std::vector<std::int64_t>>(arrays, "step").at(0);
-  time_ = take(arrays, "time", 1)[0];
+  time_ = clock[0];
+  start_step_ = same_steps ? output::get<std::vector<std::int64_t>>(arrays, "step").at(1) : step_;
+  start_time_ = same_steps ? clock[1] : time_;
   if (acceleration_)
   {
     coupling::History history;

@@ -12,7 +12,8 @@ namespace blockfsi::run
 namespace
 {
 
-std::vector<double> first_nodes(motion::Regenerate& motion, std::size_t interface_count, std::size_t node_count)
+std::vector<double> first_nodes(motion::Regenerate& motion, std::size_t interface_count,
+                                std::size_t node_count)
 {
   std::vector<double> x(2 * node_count);
   motion.follow(std::vector<double>(2 * interface_count, 0.0), x);
@@ -24,21 +25,13 @@ std::vector<double> first_nodes(motion::Regenerate& motion, std::size_t interfac
 FluidSide::FluidSide(const block::Layout& layout, const block::Skeleton& skeleton,
                      const fluid::Parameters& parameters, const std::vector<std::int64_t>& interface,
                      const std::vector<block::Follow>& follows, Timings& timings)
-    : timings_(&timings),
-      connected_(block::connect(layout, skeleton, parameters.region, linalg::part())),
-      numbering_(connected_.mesh.lattice, connected_.mesh.owner),
-      interface_(interface, connected_.mesh),
+    : timings_(&timings), connected_(block::connect(layout, skeleton, parameters.region, linalg::part())),
+      numbering_(connected_.mesh.lattice, connected_.mesh.owner), interface_(interface, connected_.mesh),
       motion_(skeleton, connected_.plan, interface, follows),
-      x_(first_nodes(motion_, interface.size(), connected_.mesh.node_count())),
-      x_new_(x_),
-      x_geometry_(x_),
-      w_(x_.size(), 0.0),
-      solver_(parameters, connected_.mesh, numbering_, x_, timings),
-      state_(solver_.initial()),
-      z_(3 * connected_.mesh.node_count(), 0.0),
-      reaction_(z_.size(), 0.0),
-      quality_tables_(layout.order),
-      validity_tables_(layout.order),
+      x_(first_nodes(motion_, interface.size(), connected_.mesh.node_count())), x_new_(x_), x_geometry_(x_),
+      w_(x_.size(), 0.0), solver_(parameters, connected_.mesh, numbering_, x_, timings),
+      state_(solver_.initial()), z_(3 * connected_.mesh.node_count(), 0.0), reaction_(z_.size(), 0.0),
+      quality_tables_(layout.order), validity_tables_(layout.order),
       first_jacobian_(mesh::sample_jacobian(quality_tables_, connected_.mesh, x_))
 {
 }

@@ -31,8 +31,8 @@ public:
 
   /// Prepares a step from the accepted state.
   void begin(const fem::TimeStep& step);
-  /// Moves the mesh to a displacement of the interface at the end of the step [m], shape (interface count, 2);
-  /// false if a cell is folded: then nothing may be solved on it.
+  /// Moves the mesh to a displacement of the interface at the end of the step [m], shape (interface count,
+  /// 2); false if a cell is folded: then nothing may be solved on it.
   [[nodiscard]] bool move(std::span<const double> displacement);
   /// Solves the flow on the mesh as it was moved.
   [[nodiscard]] linalg::NewtonReport solve();

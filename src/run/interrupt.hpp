@@ -5,8 +5,8 @@
 namespace blockfsi::run
 {
 
-/// While it lives, SIGINT and SIGTERM are noted instead of ending the process, so that the step under way can be
-/// finished and saved. A second SIGINT ends the process at once.
+/// While it lives, SIGINT and SIGTERM are noted instead of ending the process, so that the step under way can
+/// be finished and saved. A second SIGINT ends the process at once.
 class InterruptGuard
 {
 public:

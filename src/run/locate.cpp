@@ -13,6 +13,8 @@ namespace
 
 /// Points this far outside of the unit cell still count as inside: round-off of neighbours.
 constexpr double outside = 1e-9;
+/// Points this far inside of a cell are in no other one.
+constexpr double well_inside = 1e-6;
 
 struct Box
 {
@@ -44,8 +46,9 @@ bool holds(const Box& box, const std::array<double, 2>& point)
   return point[0] >= box.low[0] && point[0] <= box.high[0] && point[1] >= box.low[1] && point[1] <= box.high[1];
 }
 
+/// Finds the point in one cell; nothing if it is not at least `margin` inside of it, in the unit cell.
 std::optional<Located> invert(const mesh::Mesh& mesh, std::span<const double> x, std::size_t cell,
-                              const std::array<double, 2>& point, std::span<const double> nodes)
+                              const std::array<double, 2>& point, std::span<const double> nodes, double margin)
 {
   const int n = mesh.order + 1;
   std::array<double, 2> xi = {0.5, 0.5};
@@ -72,7 +75,7 @@ std::optional<Located> invert(const mesh::Mesh& mesh, std::span<const double> x,
                                           (jacobian[0][0] * miss[1] - jacobian[1][0] * miss[0]) / det};
     if (std::max(std::abs(change[0]), std::abs(change[1])) < 1e-13)
     {
-      const bool inside = xi[0] > -outside && xi[0] < 1.0 + outside && xi[1] > -outside && xi[1] < 1.0 + outside;
+      const bool inside = xi[0] > margin && xi[0] < 1.0 - margin && xi[1] > margin && xi[1] < 1.0 - margin;
       return inside ? std::optional(located) : std::nullopt;
     }
     for (int c = 0; c < 2; ++c)
@@ -96,13 +99,13 @@ std::optional<Located> locate(const mesh::Mesh& mesh, std::span<const double> x,
                               std::size_t first)
 {
   const std::vector<double> nodes = element::lobatto(mesh.order);
-  const auto attempt = [&](std::size_t cell) -> std::optional<Located>
-  { return holds(box_of(mesh, x, cell), point) ? invert(mesh, x, cell, point, nodes) : std::nullopt; };
+  const auto attempt = [&](std::size_t cell, double margin) -> std::optional<Located>
+  { return holds(box_of(mesh, x, cell), point) ? invert(mesh, x, cell, point, nodes, margin) : std::nullopt; };
   if (first < mesh.cell_count())
-    if (std::optional<Located> found = attempt(first))
+    if (std::optional<Located> found = attempt(first, well_inside))
       return found;
   for (std::size_t cell = 0; cell < mesh.cell_count(); ++cell)
-    if (std::optional<Located> found = attempt(cell))
+    if (std::optional<Located> found = attempt(cell, -outside))
       return found;
   return std::nullopt;
 }

@@ -30,8 +30,9 @@ Exit make_mesh(const case_file::Case& description, const std::filesystem::path& 
   const mesh::Quality quality = mesh::measure(mesh::QualityTables(mesh.order), mesh, x);
   std::vector<mesh::Verdict> verdicts(mesh.cell_count());
   const mesh::Validity validity = mesh::certify(mesh::ValidityTables(mesh.order), mesh, x, verdicts);
-  fmt::print("{} blocks, {} cells of order {}, {} nodes, made in {:.3f} s\n", description.layout.blocks.size(),
-             mesh.cell_count(), mesh.order, mesh.node_count(), made.count());
+  fmt::print("{} blocks, {} cells of order {}, {} nodes, made in {:.3f} s\n",
+             description.layout.blocks.size(), mesh.cell_count(), mesh.order, mesh.node_count(),
+             made.count());
   fmt::print("scaled Jacobian at least {:.3f}, angles from {:.1f} to {:.1f} degrees; worst in {}\n",
              quality.scaled_jacobian, quality.smallest_angle, quality.largest_angle,
              quality.block >= 0 ? description.layout.blocks[quality.block].name : std::string("no block"));

@@ -13,12 +13,9 @@ namespace blockfsi::run
 {
 
 Progress::Progress(const Simulation& simulation)
-    : simulation_(&simulation),
-      start_(std::chrono::steady_clock::now()),
-      shown_(start_ - std::chrono::hours(1)),
-      first_step_(simulation.step()),
-      terminal_(isatty(STDOUT_FILENO) != 0),
-      speaks_(linalg::part().rank == 0)
+    : simulation_(&simulation), start_(std::chrono::steady_clock::now()),
+      shown_(start_ - std::chrono::hours(1)), first_step_(simulation.step()),
+      terminal_(isatty(STDOUT_FILENO) != 0), speaks_(linalg::part().rank == 0)
 {
 }
 
@@ -40,8 +37,10 @@ void Progress::step(const StepReport& report)
     line += fmt::format("  coupling {}", report.coupling_iterations);
   line += fmt::format("  Newton {}", report.fluid_iterations + report.solid_iterations);
   if (simulation_->fluid() != nullptr)
-    line += fmt::format("  mesh quality {:.2f} (least {:.2f})", report.quality.scaled_jacobian, least_jacobian_);
-  line += fmt::format("  {:.2g} s/step  {} left", per_step, duration(per_step * static_cast<double>(total - done)));
+    line +=
+        fmt::format("  mesh quality {:.2f} (least {:.2f})", report.quality.scaled_jacobian, least_jacobian_);
+  line += fmt::format("  {:.2g} s/step  {} left", per_step,
+                      duration(per_step * static_cast<double>(total - done)));
   if (terminal_)
     fmt::print("\r\033[K{}", line);
   else
@@ -71,13 +70,14 @@ std::string duration(double seconds)
 
 std::string timing_summary(const Timings& timings, double wall_seconds, std::int64_t steps)
 {
-  std::string text = fmt::format("{:<16}{:>12}{:>9}{:>12}{:>14}\n", "part", "seconds", "share", "calls", "ms per step");
+  std::string text =
+      fmt::format("{:<16}{:>12}{:>9}{:>12}{:>14}\n", "part", "seconds", "share", "calls", "ms per step");
   double rest = wall_seconds;
   const double per_step = steps > 0 ? 1e3 / static_cast<double>(steps) : 0.0;
   const auto row = [&](std::string_view name, double seconds, const std::string& calls)
   {
-    text += fmt::format("{:<16}{:>12.3f}{:>8.2f}%{:>12}{:>14.3f}\n", name, seconds, 100.0 * seconds / wall_seconds,
-                        calls, seconds * per_step);
+    text += fmt::format("{:<16}{:>12.3f}{:>8.2f}%{:>12}{:>14.3f}\n", name, seconds,
+                        100.0 * seconds / wall_seconds, calls, seconds * per_step);
   };
   for (std::size_t i = 0; i < task_names.size(); ++i)
   {

@@ -9,8 +9,8 @@
 namespace blockfsi::run
 {
 
-/// Tells on the terminal how far a run is: a line that renews itself, or a line now and then where the output is
-/// no terminal. Process 0 only.
+/// Tells on the terminal how far a run is: a line that renews itself, or a line now and then where the output
+/// is no terminal. Process 0 only.
 class Progress
 {
 public:

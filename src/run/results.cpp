@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <system_error>
 
 namespace blockfsi::run
 {
@@ -43,11 +44,13 @@ Results::Results(const std::filesystem::path& folder, Simulation& simulation, bo
   if (simulation.fluid() != nullptr)
     find_force_nodes();
   probe_values();  // throws for probes that are nowhere
-  if (first)
-    std::filesystem::create_directories(folder_ / "fields");
-  linalg::barrier();
   if (!first)
     return;
+  // What an earlier run left would be taken for results of this one.
+  std::error_code ignored;
+  for (const char* name : {"probes.csv", "forces.csv", "quality.csv", "fields.pvd"})
+    if (!resume)
+      std::filesystem::remove(folder_ / name, ignored);
   const std::int64_t step = simulation.step();
   if (!followers_.empty())
     probes_ = open(folder_ / "probes.csv", probe_columns(), resume, step);

@@ -41,7 +41,8 @@ void restart(Simulation& simulation, const std::filesystem::path& checkpoints)
     {
       step = output::latest_complete(checkpoints, me.size).value_or(-1);
       if (step < 0)
-        problem = fmt::format("there is no complete checkpoint in '{}'; run without --restart", checkpoints.string());
+        problem = fmt::format("there is no complete checkpoint in '{}'; run without --restart",
+                              checkpoints.string());
     }
     catch (const Error& error)
     {
@@ -113,19 +114,20 @@ Exit run(const case_file::Case& description, const RunOptions& options)
   const auto start = std::chrono::steady_clock::now();
   const std::filesystem::path folder = result_folder(description, options);
   const std::filesystem::path checkpoints = folder / "checkpoint";
-  const auto run_number =
-      static_cast<std::uint64_t>(linalg::from_first(std::chrono::system_clock::now().time_since_epoch().count()));
+  const auto run_number = static_cast<std::uint64_t>(
+      linalg::from_first(std::chrono::system_clock::now().time_since_epoch().count()));
   Simulation simulation(description);
+  const InterruptGuard guard;
   if (options.restart)
     restart(simulation, checkpoints);
   else if (linalg::part().rank == 0)
     output::remove_all(checkpoints);
   introduce(simulation, folder);
   Results results(folder, simulation, options.restart);
-  if (!options.restart && description.output.every > 0.0)
+  const bool starts_from_rest = !options.restart && description.time.scheme != fem::Scheme::steady;
+  if (starts_from_rest && description.output.every > 0.0)
     results.add_fields();
 
-  const InterruptGuard guard;
   Progress progress(simulation);
   const std::int64_t first_step = simulation.step();
   Exit result = Exit::done;
@@ -136,8 +138,8 @@ Exit run(const case_file::Case& description, const RunOptions& options)
     {
       progress.end();
       if (linalg::part().rank == 0)
-        fmt::print(stderr, "blockfsi: {}; the last good state (t = {:g} s) is in the results\n", report.failure,
-                   simulation.time());
+        fmt::print(stderr, "blockfsi: {}; the last good state (t = {:g} s) is in the results\n",
+                   report.failure, simulation.time());
       result = Exit::failed;
       break;
     }

@@ -11,9 +11,10 @@ namespace blockfsi::run
 enum class Exit
 {
   done = 0,
-  missed = 1,        ///< verify: a quantity misses its reference
+  missed = 1,  ///< verify: a quantity misses its reference
   user_error = 2,
-  failed = 3,        ///< the numbers did not work out; the last good state is written
+  failed = 3,  ///< the numbers did not work out; the last good state is written
+  internal_error = 70,
   interrupted = 130  ///< by SIGINT or SIGTERM; a checkpoint is written
 };
 

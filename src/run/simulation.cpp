@@ -21,16 +21,18 @@ std::string explain(std::string_view what, const linalg::NewtonReport& report)
 {
   switch (report.status)
   {
-    case linalg::NewtonStatus::too_many_iterations:
-      return fmt::format("Newton's method for the {} needs more than {} iterations (last relative increment {:.2g})",
-                         what, report.iterations, report.increment);
-    case linalg::NewtonStatus::diverged:
-      return fmt::format("Newton's method for the {} diverged after {} iterations (last relative increment {:.2g})",
-                         what, report.iterations, report.increment);
-    case linalg::NewtonStatus::singular:
-      return fmt::format("the matrix of the {} is singular", what);
-    default:
-      return {};
+  case linalg::NewtonStatus::too_many_iterations:
+    return fmt::format(
+        "Newton's method for the {} needs more than {} iterations (last relative increment {:.2g})", what,
+        report.iterations, report.increment);
+  case linalg::NewtonStatus::diverged:
+    return fmt::format(
+        "Newton's method for the {} diverged after {} iterations (last relative increment {:.2g})", what,
+        report.iterations, report.increment);
+  case linalg::NewtonStatus::singular:
+    return fmt::format("the matrix of the {} is singular", what);
+  default:
+    return {};
   }
 }
 
@@ -42,7 +44,8 @@ Simulation::Simulation(const case_file::Case& description)
   if (case_.fluid && case_.solid)
     interface_ = block::interface_nodes(case_.layout, skeleton_, case_.fluid->region, case_.solid->region);
   if (case_.fluid)
-    fluid_ = std::make_unique<FluidSide>(case_.layout, skeleton_, *case_.fluid, interface_, case_.follows, timings_);
+    fluid_ = std::make_unique<FluidSide>(case_.layout, skeleton_, *case_.fluid, interface_, case_.follows,
+                                         timings_);
   if (case_.solid)
     solid_ = std::make_unique<SolidSide>(case_.layout, skeleton_, *case_.solid, interface_, timings_);
   if (fluid_ && solid_)
@@ -56,7 +59,7 @@ std::int64_t Simulation::step_count() const
 {
   if (case_.time.scheme == fem::Scheme::steady)
     return 1;
-  return std::max<std::int64_t>(1, std::llround(case_.time.end / case_.time.step));
+  return start_step_ + std::max(0LL, std::llround((case_.time.end - start_time_) / case_.time.step));
 }
 
 std::int64_t Simulation::unknown_count() const
@@ -89,14 +92,20 @@ std::vector<fem::TimeStep> Simulation::substeps() const
 StepReport Simulation::advance()
 {
   StepReport report;
-  for (const fem::TimeStep& step : substeps())
+  const std::vector<fem::TimeStep> parts = substeps();
+  const output::Arrays before = parts.size() > 1 ? save() : output::Arrays();
+  for (const fem::TimeStep& step : parts)
     if (!substep(step, report))
     {
       report.ok = false;
+      // A part that went well is no good state if a later one of its step fails.
+      if (!before.empty())
+        restore(before);
       return report;
     }
   ++step_;
-  time_ = case_.time.scheme == fem::Scheme::steady ? 0.0 : static_cast<double>(step_) * case_.time.step;
+  if (case_.time.scheme != fem::Scheme::steady)
+    time_ = start_time_ + static_cast<double>(step_ - start_step_) * case_.time.step;
   if (fluid_)
   {
     report.quality = fluid_->quality();
@@ -136,17 +145,18 @@ bool Simulation::couple(const fem::TimeStep& step, StepReport& report)
   const int known = step.step == history_step_ ? history_count_ : 0;
   coupling::predict(std::min(case_.coupling.predictor, known), history_[0], history_[1], history_[2], d);
   const coupling::Limits limits{case_.coupling.tolerance, case_.coupling.iterations, 0.0};
-  const coupling::Report coupled = coupling::solve_partitioned(
-      [&](std::span<const double> input, std::span<double> answer) { return evaluate(input, answer, report); },
-      *acceleration_, limits, d, history_[0]);
+  const coupling::Report coupled =
+      coupling::solve_partitioned([&](std::span<const double> input, std::span<double> answer)
+                                  { return evaluate(input, answer, report); },
+                                  *acceleration_, limits, d, history_[0]);
   report.coupling_iterations += coupled.iterations;
   if (coupled.status != coupling::Status::converged)
   {
     if (report.failure.empty())
-      report.failure = fmt::format("the coupling of fluid and solid did not converge {}: after {} iterations the "
-                                   "interface is off by {:.2g} of its displacement in the step",
-                                   when(), coupled.iterations,
-                                   coupled.residuals.empty() ? NAN : coupled.residuals.back());
+      report.failure =
+          fmt::format("the coupling of fluid and solid did not converge {}: after {} iterations the "
+                      "interface is off by {:.2g} of its displacement in the step",
+                      when(), coupled.iterations, coupled.residuals.empty() ? NAN : coupled.residuals.back());
     return false;
   }
   keep_interface(d, step.step);
@@ -158,10 +168,10 @@ bool Simulation::evaluate(std::span<const double> d, std::span<double> answer, S
   if (!fluid_->move(d))
   {
     const mesh::Quality quality = fluid_->quality();
-    report.failure = fmt::format("the fluid mesh folds over {}: cell {} of {} has a scaled Jacobian of {:.3g}", when(),
-                                 quality.cell,
-                                 quality.block >= 0 ? case_.layout.blocks[quality.block].name : std::string("?"),
-                                 quality.scaled_jacobian);
+    report.failure = fmt::format(
+        "the fluid mesh folds over {}: cell {} of {} has a scaled Jacobian of {:.3g}", when(), quality.cell,
+        quality.block >= 0 ? case_.layout.blocks[quality.block].name : std::string("?"),
+        quality.scaled_jacobian);
     return false;
   }
   if (!solve_fluid(report))

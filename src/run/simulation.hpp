@@ -20,13 +20,13 @@ namespace blockfsi::run
 struct StepReport
 {
   bool ok = true;
-  std::string failure;            ///< what failed, where and when
-  int coupling_iterations = 0;    ///< 0 without coupling
-  int fluid_iterations = 0;       ///< Newton iterations, all coupling iterations together
+  std::string failure;          ///< what failed, where and when
+  int coupling_iterations = 0;  ///< 0 without coupling
+  int fluid_iterations = 0;     ///< Newton iterations, all coupling iterations together
   int solid_iterations = 0;
-  int renewals = 0;               ///< factorisations
-  mesh::Quality quality;          ///< of the accepted fluid mesh
-  bool certified = true;          ///< every cell proved valid
+  int renewals = 0;       ///< factorisations
+  mesh::Quality quality;  ///< of the accepted fluid mesh
+  bool certified = true;  ///< every cell proved valid
 };
 
 /// A case under way: one step after the other, flow, body or both.
@@ -54,7 +54,7 @@ public:
 
   /// Everything that the next step depends on, for this process.
   output::Arrays save() const;
-  /// Continues from it. Throws Error if it belongs to another case.
+  /// Continues from it, also with another length of step. Throws Error if it belongs to another case.
   void restore(const output::Arrays& arrays);
 
 private:
@@ -76,6 +76,9 @@ private:
   std::unique_ptr<coupling::Acceleration> acceleration_;
   std::int64_t step_ = 0;
   double time_ = 0.0;
+  /// Where the present length of step began: not at the start if a restart changed it.
+  std::int64_t start_step_ = 0;
+  double start_time_ = 0.0;
   /// Displacement of the interface at the last accepted (sub)steps, newest first.
   std::vector<std::vector<double>> history_;
   /// Length of the step that led to the newest, and how many in a row had it.

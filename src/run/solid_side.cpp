@@ -22,13 +22,9 @@ SolidSide::SolidSide(const block::Layout& layout, const block::Skeleton& skeleto
                      const solid::Parameters& parameters, const std::vector<std::int64_t>& interface,
                      Timings& timings)
     : connected_(block::connect(layout, skeleton, parameters.region, linalg::part())),
-      numbering_(connected_.mesh.lattice, connected_.mesh.owner),
-      interface_(interface, connected_.mesh),
-      X_(placed(connected_, skeleton)),
-      solver_(parameters, connected_.mesh, numbering_, X_, timings),
-      state_(solver_.initial()),
-      d_(state_.d),
-      load_(state_.d.size(), 0.0)
+      numbering_(connected_.mesh.lattice, connected_.mesh.owner), interface_(interface, connected_.mesh),
+      X_(placed(connected_, skeleton)), solver_(parameters, connected_.mesh, numbering_, X_, timings),
+      state_(solver_.initial()), d_(state_.d), load_(state_.d.size(), 0.0)
 {
 }
 

@@ -28,9 +28,9 @@ struct Body
   static constexpr int data = 4;
 
   Lame material;
-  double inertia = 0.0;       ///< rho / (theta step^2), 0 if static [kg/(m^3 s^2)]
-  double force_density = 0.0; ///< rho times the load factor [kg/m^3]
-  double stress_weight = 1.0; ///< theta
+  double inertia = 0.0;        ///< rho / (theta step^2), 0 if static [kg/(m^3 s^2)]
+  double force_density = 0.0;  ///< rho times the load factor [kg/m^3]
+  double stress_weight = 1.0;  ///< theta
 
   template <class S>
   void operator()(const fem::PointInput<S, 2, 0, 4>& in, fem::PointOutput<S, 2>& out) const

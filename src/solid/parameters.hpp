@@ -22,8 +22,8 @@ struct Displacement
   std::array<Expression, 3> value;
 };
 
-/// Dead traction P N [Pa] per area of the undeformed body, of x, y, z, t; the default where nothing is said is an
-/// error, a free boundary has traction 0.
+/// Dead traction P N [Pa] per area of the undeformed body, of x, y, z, t; the default where nothing is said
+/// is an error, a free boundary has traction 0.
 struct Traction
 {
   std::array<Expression, 3> value;
@@ -58,7 +58,7 @@ struct Parameters
   double poisson = 0.3;     ///< [-]
   Plane plane = Plane::strain;
   std::array<Expression, 3> body_force;  ///< per mass [m/s^2]
-  int load_steps = 1;  ///< of a static solution
+  int load_steps = 1;                    ///< of a static solution
   std::vector<BoundaryCondition> boundaries;
   Newton newton;
 };

@@ -46,7 +46,10 @@ struct Solver::Problem
   std::span<const double> origin;
   std::span<const double> constant;  ///< part of the residual that does not change; null: none
 
-  std::array<fem::NodalField, 2> data() const { return {{{origin.data(), 2}, {solver.body_force_.data(), 2}}}; }
+  std::array<fem::NodalField, 2> data() const
+  {
+    return {{{origin.data(), 2}, {solver.body_force_.data(), 2}}};
+  }
 
   void residual(std::span<const double> d, std::span<double> r) const
   {
@@ -126,14 +129,9 @@ std::vector<std::uint8_t> Solver::fixed() const
 
 Solver::Solver(const Parameters& parameters, const mesh::Mesh& mesh, const linalg::Numbering& numbering,
                std::span<const double> X, Timings& timings)
-    : parameters_(parameters),
-      mesh_(&mesh),
-      numbering_(&numbering),
-      timings_(&timings),
-      X_(X.begin(), X.end()),
-      cells_(mesh, quadrature_points(mesh.order)),
-      sides_(mesh, quadrature_points(mesh.order)),
-      prescribed_(find_prescribed(parameters, mesh, numbering)),
+    : parameters_(parameters), mesh_(&mesh), numbering_(&numbering), timings_(&timings),
+      X_(X.begin(), X.end()), cells_(mesh, quadrature_points(mesh.order)),
+      sides_(mesh, quadrature_points(mesh.order)), prescribed_(find_prescribed(parameters, mesh, numbering)),
       body_force_(2 * mesh.node_count(), 0.0),
       system_(numbering, 2, mesh.cells, mesh.nodes_per_cell(), fixed(), "solid_")
 {
@@ -179,15 +177,16 @@ linalg::NewtonReport Solver::solve(const Body& body, std::span<const double> ori
 {
   factors_.stale = true;
   Problem problem{*this, body, origin, constant};
-  // A thin body is stiff against stretching and soft against bending: old factors lead far astray when it turns.
+  // A thin body is stiff against stretching and soft against bending: old factors lead far astray when it
+  // turns.
   const linalg::NewtonLimits limits{parameters_.newton.tolerance, parameters_.newton.iterations, 0.01};
   const linalg::NewtonReport report = linalg::newton(limits, system_, factors_, problem, d, *timings_);
   linearisation_.stale = factors_.stale;
   return report;
 }
 
-linalg::NewtonReport Solver::advance(const fem::TimeStep& step, const State& old, std::span<const double> load,
-                                     std::span<double> d)
+linalg::NewtonReport Solver::advance(const fem::TimeStep& step, const State& old,
+                                     std::span<const double> load, std::span<double> d)
 {
   const double theta = step.theta;
   const double time = step.t + theta * step.step;
@@ -200,7 +199,8 @@ linalg::NewtonReport Solver::advance(const fem::TimeStep& step, const State& old
   {
     const Stopwatch watch(*timings_, Task::assembly);
     // Internal forces at the start of the step.
-    const Body at_start{lame(parameters_.young, parameters_.poisson, parameters_.plane), 0.0, 0.0, 1.0 - theta};
+    const Body at_start{lame(parameters_.young, parameters_.poisson, parameters_.plane), 0.0, 0.0,
+                        1.0 - theta};
     if (theta < 1.0)
       Problem{*this, at_start, origin, {}}.residual(old.d, constant);
     add_tractions(time, 1.0, constant);
@@ -217,7 +217,8 @@ linalg::NewtonReport Solver::advance(const fem::TimeStep& step, const State& old
 linalg::NewtonReport Solver::solve_static(std::span<const double> load, std::span<double> d)
 {
   compute_body_force(0.0);
-  const bool from_rest = !linalg::any(std::any_of(d.begin(), d.end(), [](double value) { return value != 0.0; }));
+  const bool from_rest =
+      !linalg::any(std::any_of(d.begin(), d.end(), [](double value) { return value != 0.0; }));
   const int steps = from_rest ? parameters_.load_steps : 1;
   const std::vector<double> origin(d.size(), 0.0);
   linalg::NewtonReport report;
@@ -260,8 +261,8 @@ void Solver::restore(const Linearisation& linearisation)
   factors_.stale = linearisation.stale || linearisation.d.empty();
   if (factors_.stale)
     return;
-  const Body body{lame(parameters_.young, parameters_.poisson, parameters_.plane), linearisation_.inertia, 0.0,
-                  linearisation_.stress_weight};
+  const Body body{lame(parameters_.young, parameters_.poisson, parameters_.plane), linearisation_.inertia,
+                  0.0, linearisation_.stress_weight};
   Problem{*this, body, linearisation_.d, {}}.tangent(linearisation_.d, system_.cell_matrices());
   system_.assemble();
   if (system_.factorise() != linalg::Status::ok)

@@ -33,14 +33,16 @@ struct State
 class Solver
 {
 public:
-  /// `X`: nodes of the undeformed body [m], shape (node_count, 2). Mesh and numbering must outlive the solver.
+  /// `X`: nodes of the undeformed body [m], shape (node_count, 2). Mesh and numbering must outlive the
+  /// solver.
   Solver(const Parameters& parameters, const mesh::Mesh& mesh, const linalg::Numbering& numbering,
          std::span<const double> X, Timings& timings);
 
   State initial() const;
 
   /// Displacement at the end of a step under nodal loads [N/m], shape (node_count, 2), that act at
-  /// t + theta step; complete at owned nodes (other entries are ignored). `d` is the first guess and the result.
+  /// t + theta step; complete at owned nodes (other entries are ignored). `d` is the first guess and the
+  /// result.
   [[nodiscard]] linalg::NewtonReport advance(const fem::TimeStep& step, const State& old,
                                              std::span<const double> load, std::span<double> d);
 

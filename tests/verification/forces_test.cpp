@@ -1,4 +1,5 @@
-// Plane channel flow: forces on the sides as nodal reactions, open boundaries, and no ringing after a sudden start.
+// Plane channel flow: forces on the sides as nodal reactions, open boundaries, and no ringing after a sudden
+// start.
 
 #include "support.hpp"
 
@@ -19,7 +20,8 @@ constexpr double viscosity = 0.05;
 constexpr double length = 2.0;
 constexpr double outlet_pressure = 3.0;
 
-/// The flow u = 4 y (1 - y), p = outlet_pressure + 8 viscosity (length - x): its stress on a surface with normal n.
+/// The flow u = 4 y (1 - y), p = outlet_pressure + 8 viscosity (length - x): its stress on a surface with
+/// normal n.
 verification::Vector exact_stress(const std::array<double, 2>& x, const std::array<double, 2>& n)
 {
   const double pressure = outlet_pressure + 8.0 * viscosity * (length - x[0]);
@@ -84,7 +86,8 @@ Errors channel_errors(int order, const fluid::Condition& outlet)
     const double x = domain.x[2 * i];
     const double y = domain.x[2 * i + 1];
     const double p = outlet_pressure + 8.0 * viscosity * (length - x);
-    result.velocity = std::max({result.velocity, std::abs(z[3 * i] - 4.0 * y * (1.0 - y)), std::abs(z[3 * i + 1])});
+    result.velocity =
+        std::max({result.velocity, std::abs(z[3 * i] - 4.0 * y * (1.0 - y)), std::abs(z[3 * i + 1])});
     result.pressure = std::max(result.pressure, std::abs(z[3 * i + 2] - p));
     for (std::size_t c = 0; c < 2; ++c)
       result.force = std::max(result.force, std::abs(reaction[3 * i + c] - expected[3 * i + c]));
@@ -94,7 +97,8 @@ Errors channel_errors(int order, const fluid::Condition& outlet)
 
 void check_exact(const Errors& errors)
 {
-  MESSAGE("errors: velocity " << errors.velocity << ", pressure " << errors.pressure << ", force " << errors.force);
+  MESSAGE("errors: velocity " << errors.velocity << ", pressure " << errors.pressure << ", force "
+                              << errors.force);
   CHECK(errors.velocity < 1e-11);
   CHECK(errors.pressure < 1e-11);
   CHECK(errors.force < 1e-11);
@@ -159,7 +163,8 @@ TEST_CASE("a developed channel flow and the forces on its walls are exact with i
 {
   const Constants constants = {{"p", outlet_pressure}, {"mu", viscosity}};
   for (const int order : {2, 3, 4, 8})
-    check_exact(channel_errors(order, fluid::Traction{{formula("-p", constants), formula("4*mu*(1 - 2*y)", constants), 0.0}}));
+    check_exact(channel_errors(
+        order, fluid::Traction{{formula("-p", constants), formula("4*mu*(1 - 2*y)", constants), 0.0}}));
 }
 
 TEST_CASE("the force after a sudden start does not ring with start-up steps and damping")
@@ -169,10 +174,10 @@ TEST_CASE("the force after a sudden start does not ring with start-up steps and 
   const std::vector<double> damped = starting_force(200, step, 0.5 + step / (4.0 * decay), 2);
   const std::vector<double> plain = starting_force(200, step, 0.5, 0);
   const double force = std::abs(damped.back());
-  MESSAGE("force " << damped.back() << ", alternation after 5, 20, 190 steps: " << alternation(damped, 5, 10) << " "
-                   << alternation(damped, 20, 25) << " " << alternation(damped, 190, 200) << ", of the plain midpoint rule "
-                   << alternation(plain, 5, 10) << " " << alternation(plain, 20, 25) << " "
-                   << alternation(plain, 190, 200));
+  MESSAGE("force " << damped.back() << ", alternation after 5, 20, 190 steps: " << alternation(damped, 5, 10)
+                   << " " << alternation(damped, 20, 25) << " " << alternation(damped, 190, 200)
+                   << ", of the plain midpoint rule " << alternation(plain, 5, 10) << " "
+                   << alternation(plain, 20, 25) << " " << alternation(plain, 190, 200));
   CHECK(alternation(damped, 20, 25) < 1e-5 * force);
   CHECK(alternation(damped, 190, 200) < 1e-9 * force);
   // What the measure is there to see.

@@ -28,7 +28,8 @@ fluid::Parameters parameters()
   const Constants constants = {{"l", lambda}};
   const std::array<std::string_view, 2> variables = {"x", "y"};
   const fluid::Velocity velocity{{Expression("1 - exp(l*x) * cos(2*pi*y)", constants, variables),
-                                  Expression("l / (2*pi) * exp(l*x) * sin(2*pi*y)", constants, variables), 0.0}};
+                                  Expression("l / (2*pi) * exp(l*x) * sin(2*pi*y)", constants, variables),
+                                  0.0}};
   fluid::Parameters result;
   result.viscosity = viscosity;
   for (const char* name : {"left", "right", "bottom", "top"})
@@ -39,7 +40,8 @@ fluid::Parameters parameters()
 
 double velocity_error(int order, int cells, double bend)
 {
-  const verification::Domain domain = verification::rectangle({-0.5, -0.5}, {1.0, 1.5}, cells, order, bend, "fluid");
+  const verification::Domain domain =
+      verification::rectangle({-0.5, -0.5}, {1.0, 1.5}, cells, order, bend, "fluid");
   Timings timings;
   fluid::Solver solver(parameters(), domain.mesh(), domain.numbering, domain.x, timings);
   const fluid::State start = solver.initial();
@@ -62,7 +64,8 @@ TEST_CASE("Kovasznay's flow converges in L2 at order p + 1 on straight and curve
       const double first = velocity_error(order, coarse, bend);
       const double second = velocity_error(order, 2 * coarse, bend);
       const double rate = std::log2(first / second);
-      MESSAGE("order " << order << ", bend " << bend << ": errors " << first << " " << second << ", rate " << rate);
+      MESSAGE("order " << order << ", bend " << bend << ": errors " << first << " " << second << ", rate "
+                       << rate);
       CHECK(rate > order + 1 - 0.2);
     }
 }

@@ -33,8 +33,8 @@ struct Domain
   const blockfsi::mesh::Mesh& mesh() const { return connected.mesh; }
 };
 
-/// `bend` [m] is the height of the arcs (sines) that replace the straight lines between the blocks and around them;
-/// the four sides are boundaries "left", "right", "bottom", "top".
+/// `bend` [m] is the height of the arcs (sines) that replace the straight lines between the blocks and around
+/// them; the four sides are boundaries "left", "right", "bottom", "top".
 inline Domain rectangle(Vector low, Vector high, int cells_per_block, int order, double bend,
                         const std::string& region)
 {
@@ -106,14 +106,16 @@ inline blockfsi::Expression formula(const std::string& text, const blockfsi::Con
   return blockfsi::Expression(text, constants, variables);
 }
 
-/// Nodes of the unit square moved inside, X + amplitude sin(2 pi X) sin(2 pi Y) sin(2 pi t) (1, 1); the sides rest.
+/// Nodes of the unit square moved inside, X + amplitude sin(2 pi X) sin(2 pi Y) sin(2 pi t) (1, 1); the sides
+/// rest.
 inline std::vector<double> moved_inside(const std::vector<double>& X, double amplitude, double t)
 {
   constexpr double circle = 2.0 * std::numbers::pi;
   std::vector<double> x = X;
   for (std::size_t i = 0; i < X.size(); i += 2)
   {
-    const double change = amplitude * std::sin(circle * X[i]) * std::sin(circle * X[i + 1]) * std::sin(circle * t);
+    const double change =
+        amplitude * std::sin(circle * X[i]) * std::sin(circle * X[i + 1]) * std::sin(circle * t);
     x[i] += change;
     x[i + 1] += change;
   }
@@ -139,8 +141,9 @@ inline std::vector<double> rate(const std::vector<double>& a, const std::vector<
 }
 
 /// L2 norm over the mesh of the difference of two components of a nodal field and a function of position.
-inline double error(const blockfsi::mesh::Mesh& mesh, const std::vector<double>& x, const std::vector<double>& field,
-                    int stride, const std::function<Vector(double, double)>& exact)
+inline double error(const blockfsi::mesh::Mesh& mesh, const std::vector<double>& x,
+                    const std::vector<double>& field, int stride,
+                    const std::function<Vector(double, double)>& exact)
 {
   using namespace blockfsi;
   const element::Rule rule = element::gauss(mesh.order + 4);

@@ -22,8 +22,8 @@ constexpr double mu = 0.5;
 constexpr double young = mu * (3.0 * lambda + 2.0 * mu) / (lambda + mu);
 constexpr double poisson = 0.5 * lambda / (lambda + mu);
 constexpr double density = 2.0;
-/// With 0.1, as in the reference data, the compressed corner is at the edge of the material's stability: the error
-/// falls irregularly.
+/// With 0.1, as in the reference data, the compressed corner is at the edge of the material's stability: the
+/// error falls irregularly.
 constexpr double amplitude = 0.05;
 
 using Text = std::string;
@@ -48,7 +48,8 @@ struct Manufactured
       {{"pi/2*cos(pi*x/2)*cos(pi*y)", "(-pi)*sin(pi*x/2)*sin(pi*y)"},
        {"(2*x - pi*sin(pi*x)*sin(pi*y/2 + 1/5))", "pi/2*cos(pi*x)*cos(pi*y/2 + 1/5)"}}};
   std::array<std::array<Text, 3>, 2> second = {  // xx, xy, yy
-      {{"(-pi^2)/4*sin(pi*x/2)*cos(pi*y)", "(-pi^2)/2*cos(pi*x/2)*sin(pi*y)", "(-pi^2)*sin(pi*x/2)*cos(pi*y)"},
+      {{"(-pi^2)/4*sin(pi*x/2)*cos(pi*y)", "(-pi^2)/2*cos(pi*x/2)*sin(pi*y)",
+        "(-pi^2)*sin(pi*x/2)*cos(pi*y)"},
        {"(2 - pi^2*cos(pi*x)*sin(pi*y/2 + 1/5))", "(-pi^2)/2*sin(pi*x)*cos(pi*y/2 + 1/5)",
         "(-pi^2)/4*cos(pi*x)*sin(pi*y/2 + 1/5)"}}};
 
@@ -70,7 +71,8 @@ struct Manufactured
   }
   Text dS(int i, int j, int k) const
   {
-    return i != j ? "(mu*" + dE(i, j, k) + ")" : sum("l/2*" + sum(dE(0, 0, k), dE(1, 1, k)), "mu*" + dE(i, i, k));
+    return i != j ? "(mu*" + dE(i, j, k) + ")"
+                  : sum("l/2*" + sum(dE(0, 0, k), dE(1, 1, k)), "mu*" + dE(i, i, k));
   }
   Text P(int i, int j) const { return sum(product(F(i, 0), S(0, j)), product(F(i, 1), S(1, j))); }
   /// Body force per mass, d_tt - Div P / rho.
@@ -94,7 +96,8 @@ Expression expression(const Text& text)
 
 solid::Displacement displacement(const Manufactured& solution)
 {
-  return {{expression("A*" + solution.g + "*" + solution.d[0]), expression("A*" + solution.g + "*" + solution.d[1]), 0.0}};
+  return {{expression("A*" + solution.g + "*" + solution.d[0]),
+           expression("A*" + solution.g + "*" + solution.d[1]), 0.0}};
 }
 
 solid::Parameters material()
@@ -136,16 +139,19 @@ verification::Vector exact(double x, double y, double t)
 
 double static_error(int order, int cells, double bend)
 {
-  const verification::Domain domain = verification::rectangle({0.0, 0.0}, {1.0, 1.0}, cells, order, bend, "solid");
+  const verification::Domain domain =
+      verification::rectangle({0.0, 0.0}, {1.0, 1.0}, cells, order, bend, "solid");
   Timings timings;
-  solid::Solver solver(manufactured(at_rest, bend != 0.0), domain.mesh(), domain.numbering, domain.x, timings);
+  solid::Solver solver(manufactured(at_rest, bend != 0.0), domain.mesh(), domain.numbering, domain.x,
+                       timings);
   // From near by: sudden displacements of the sides would crush the cells along them.
   std::vector<double> d(domain.x.size());
   for (std::size_t i = 0; i < d.size(); ++i)
     d[i] = exact(domain.x[i - i % 2], domain.x[i - i % 2 + 1], 0.0)[i % 2];
   const std::vector<double> load(d.size(), 0.0);
   REQUIRE(solver.solve_static(load, d).status == linalg::NewtonStatus::converged);
-  return verification::error(domain.mesh(), domain.x, d, 2, [](double x, double y) { return exact(x, y, 0.0); });
+  return verification::error(domain.mesh(), domain.x, d, 2,
+                             [](double x, double y) { return exact(x, y, 0.0); });
 }
 
 struct DynamicErrors
@@ -195,7 +201,8 @@ solid::Displacement homogeneous(const std::array<std::array<double, 2>, 2>& F)
 }
 
 /// (F - I) X and a deviation that is largest in the middle, to start from.
-std::vector<double> near_homogeneous(const verification::Domain& domain, const std::array<std::array<double, 2>, 2>& F)
+std::vector<double> near_homogeneous(const verification::Domain& domain,
+                                     const std::array<std::array<double, 2>, 2>& F)
 {
   std::vector<double> d(domain.x.size());
   for (std::size_t i = 0; i < d.size(); i += 2)
@@ -216,7 +223,8 @@ double difference(const verification::Domain& domain, const std::vector<double>&
   double largest = 0.0;
   for (std::size_t i = 0; i < d.size(); i += 2)
     for (std::size_t c = 0; c < 2; ++c)
-      largest = std::max(largest, std::abs(d[i + c] + domain.x[i + c] - F[c][0] * domain.x[i] - F[c][1] * domain.x[i + 1]));
+      largest = std::max(
+          largest, std::abs(d[i + c] + domain.x[i + c] - F[c][0] * domain.x[i] - F[c][1] * domain.x[i + 1]));
   return largest;
 }
 
@@ -261,7 +269,8 @@ TEST_CASE("the displacement of a loaded body converges in L2 at order p + 1")
       const double first = static_error(order, coarse, bend);
       const double second = static_error(order, 2 * coarse, bend);
       const double rate = std::log2(first / second);
-      MESSAGE("order " << order << ", bend " << bend << ": errors " << first << " " << second << ", rate " << rate);
+      MESSAGE("order " << order << ", bend " << bend << ": errors " << first << " " << second << ", rate "
+                       << rate);
       CHECK(rate > order + 1 - 0.1);
     }
 }
@@ -274,8 +283,8 @@ TEST_CASE("displacement and velocity of a moving body are of second order in tim
     const DynamicErrors second = dynamic_errors(32, ringing_decay);
     const double rate_d = std::log2(first.d / second.d);
     const double rate_v = std::log2(first.v / second.v);
-    MESSAGE("errors of d " << first.d << " " << second.d << ", order " << rate_d << "; of v " << first.v << " " << second.v
-                           << ", order " << rate_v);
+    MESSAGE("errors of d " << first.d << " " << second.d << ", order " << rate_d << "; of v " << first.v
+                           << " " << second.v << ", order " << rate_v);
     CHECK(std::abs(rate_d - 2.0) < 0.1);
     CHECK(std::abs(rate_v - 2.0) < 0.2);
   }
@@ -287,7 +296,8 @@ TEST_CASE("a homogeneous deformation of the sides goes through a bent body uncha
   for (const int order : {1, 2, 4, 8})
     for (const solid::Plane plane : {solid::Plane::strain, solid::Plane::stress})
     {
-      const verification::Domain domain = verification::rectangle({0.0, 0.0}, {1.0, 1.0}, order > 4 ? 1 : 2, order, 0.1, "solid");
+      const verification::Domain domain =
+          verification::rectangle({0.0, 0.0}, {1.0, 1.0}, order > 4 ? 1 : 2, order, 0.1, "solid");
       solid::Parameters parameters = material();
       parameters.plane = plane;
       for (const char* name : {"left", "right", "bottom", "top"})
@@ -302,7 +312,8 @@ TEST_CASE("a body whose sides are turned by up to 180 degrees turns as a whole")
 {
   for (const int order : {1, 2, 4})
   {
-    const verification::Domain domain = verification::rectangle({0.0, 0.0}, {1.0, 1.0}, 2, order, 0.1, "solid");
+    const verification::Domain domain =
+        verification::rectangle({0.0, 0.0}, {1.0, 1.0}, 2, order, 0.1, "solid");
     std::vector<double> d(domain.x.size(), 0.0);
     for (int degrees = 10; degrees <= 180; degrees += 10)
     {
@@ -333,7 +344,8 @@ TEST_CASE("the exact tractions of simple shear hold a body that is fixed below")
                            {"left", solid::Traction{{-normal, -shear, 0.0}}, {}}};
   for (const int order : {1, 3})
   {
-    const verification::Domain domain = verification::rectangle({0.0, 0.0}, {1.0, 1.0}, 2, order, 0.0, "solid");
+    const verification::Domain domain =
+        verification::rectangle({0.0, 0.0}, {1.0, 1.0}, 2, order, 0.0, "solid");
     std::vector<double> d(domain.x.size(), 0.0);
     solve(parameters, domain, d);
     CHECK(difference(domain, d, F) < 1e-11);
@@ -349,7 +361,8 @@ TEST_CASE("a bar pulled by the exact traction stretches and thins as the plane s
     const bool is_strain = plane == solid::Plane::strain;
     const double ratio = is_strain ? poisson / (1.0 - poisson) : poisson;
     const double modulus = is_strain ? young / (1.0 - poisson * poisson) : young;
-    const std::array<std::array<double, 2>, 2> F = {{{stretch, 0.0}, {0.0, std::sqrt(1.0 - 2.0 * ratio * strain)}}};
+    const std::array<std::array<double, 2>, 2> F = {
+        {{stretch, 0.0}, {0.0, std::sqrt(1.0 - 2.0 * ratio * strain)}}};
     solid::Parameters parameters = material();
     parameters.plane = plane;
     parameters.load_steps = 4;

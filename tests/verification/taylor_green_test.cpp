@@ -75,7 +75,8 @@ struct Run
 struct Errors
 {
   double u = 0.0;  ///< L2, at the end
-  double p = 0.0;  ///< root of the mean of squares at the nodes, up to a constant, at the time of the last pressure
+  double p =
+      0.0;  ///< root of the mean of squares at the nodes, up to a constant, at the time of the last pressure
 };
 
 double pressure_error(const fluid::State& state, const std::vector<double>& x)
@@ -95,7 +96,8 @@ double pressure_error(const fluid::State& state, const std::vector<double>& x)
 
 Errors errors(const Run& run)
 {
-  const verification::Domain domain = verification::rectangle({0.0, 0.0}, {1.0, 1.0}, run.cells, run.order, 0.0, "fluid");
+  const verification::Domain domain =
+      verification::rectangle({0.0, 0.0}, {1.0, 1.0}, run.cells, run.order, 0.0, "fluid");
   Timings timings;
   fluid::Solver solver(parameters(), domain.mesh(), domain.numbering, domain.x, timings);
   fluid::State state = solver.initial();
@@ -117,8 +119,10 @@ Errors errors(const Run& run)
     const std::vector<double> start = mesh_at(n * step);
     const std::vector<double> end = mesh_at((n + 1) * step);
     const bool delayed = run.pairing == Pairing::delayed_velocity;
-    const std::vector<double> w = delayed ? verification::rate(before, start, step) : verification::rate(start, end, step);
-    const std::vector<double> x = run.pairing == Pairing::end_of_step ? end : verification::between(start, end, 0.5);
+    const std::vector<double> w =
+        delayed ? verification::rate(before, start, step) : verification::rate(start, end, step);
+    const std::vector<double> x =
+        run.pairing == Pairing::end_of_step ? end : verification::between(start, end, 0.5);
     solver.guess(time, state, z);
     const auto report = solver.solve(time, state, {x, w}, z);
     REQUIRE(report.status == linalg::NewtonStatus::converged);
@@ -138,8 +142,8 @@ Errors time_orders(Run run)
   run.steps *= 2;
   const Errors second = errors(run);
   const Errors orders = {std::log2(first.u / second.u), std::log2(first.p / second.p)};
-  MESSAGE("errors of u " << first.u << " " << second.u << ", order " << orders.u << "; of p " << first.p << " "
-                         << second.p << ", order " << orders.p);
+  MESSAGE("errors of u " << first.u << " " << second.u << ", order " << orders.u << "; of p " << first.p
+                         << " " << second.p << ", order " << orders.p);
   return orders;
 }
 
@@ -197,7 +201,8 @@ TEST_CASE("the error in space falls with order p + 1 on a moving mesh, as on one
     run.amplitude = 0.0;
     const double at_rest = errors(run).u;
     const double rate = std::log2(first / second);
-    MESSAGE("order " << order << ": errors " << first << " " << second << ", rate " << rate << ", at rest " << at_rest);
+    MESSAGE("order " << order << ": errors " << first << " " << second << ", rate " << rate << ", at rest "
+                     << at_rest);
     CHECK(rate > order + 1 - 0.2);
     CHECK(second < 5.0 * at_rest);
   }

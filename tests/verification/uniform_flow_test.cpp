@@ -38,7 +38,7 @@ struct Deviation
 
 /// In 100 steps on a moving mesh.
 Deviation deviation(const verification::Domain& domain, double theta,
-                 const std::function<std::vector<double>(double t)>& mesh_at)
+                    const std::function<std::vector<double>(double t)>& mesh_at)
 {
   Timings timings;
   fluid::Solver solver(parameters(), domain.mesh(), domain.numbering, domain.x, timings);
@@ -73,7 +73,8 @@ TEST_CASE("a uniform flow stays uniform while the mesh moves inside")
   for (const int order : {1, 2, 4, 6})
     for (const double theta : {0.5, 1.0})
     {
-      const verification::Domain domain = verification::rectangle({0.0, 0.0}, {1.0, 1.0}, order > 2 ? 1 : 3, order, 0.0, "fluid");
+      const verification::Domain domain =
+          verification::rectangle({0.0, 0.0}, {1.0, 1.0}, order > 2 ? 1 : 3, order, 0.0, "fluid");
       const Deviation error =
           deviation(domain, theta, [&](double t) { return verification::moved_inside(domain.x, 0.1, t); });
       MESSAGE("order " << order << ", theta " << theta << ": " << error.u << " " << error.p);
@@ -86,7 +87,8 @@ TEST_CASE("a uniform flow stays uniform while blocks are meshed anew under a mov
 {
   for (const int order : {1, 2, 4, 6})
   {
-    const verification::Domain domain = verification::rectangle({0.0, 0.0}, {1.0, 1.0}, order > 2 ? 1 : 3, order, 0.05, "fluid");
+    const verification::Domain domain =
+        verification::rectangle({0.0, 0.0}, {1.0, 1.0}, order > 2 ? 1 : 3, order, 0.05, "fluid");
     const auto mesh_at = [&](double t)
     {
       // The lines between the blocks follow the top in proportion to their height.
@@ -95,8 +97,8 @@ TEST_CASE("a uniform flow stays uniform while blocks are meshed anew under a mov
       {
         const double X = skeleton[i];
         const double height = skeleton[i + 1];
-        skeleton[i + 1] += 0.2 * std::sin(2.0 * std::numbers::pi * (X + t)) * std::sin(2.0 * std::numbers::pi * t) *
-                           height;
+        skeleton[i + 1] +=
+            0.2 * std::sin(2.0 * std::numbers::pi * (X + t)) * std::sin(2.0 * std::numbers::pi * t) * height;
       }
       std::vector<double> x(domain.x.size());
       block::place(domain.connected.plan, skeleton, x);
@@ -105,6 +107,6 @@ TEST_CASE("a uniform flow stays uniform while blocks are meshed anew under a mov
     const Deviation error = deviation(domain, 0.5, mesh_at);
     MESSAGE("order " << order << ": " << error.u << " " << error.p);
     CHECK(error.u < 1e-11);
-      CHECK(error.p < 1e-11);
+    CHECK(error.p < 1e-11);
   }
 }

@@ -19,8 +19,10 @@ std::array<double, 2> bent(double x, double y)
   return {x + 0.2 * y * (1.0 - y) + 0.1 * x * y, y - 0.15 * x * x + 0.1 * x * y};
 }
 
-/// Integral of det J of `bent` over the unit square: (1 + 0.1 y)(1 + 0.1 x) - (0.2 - 0.4 y + 0.1 x)(0.1 y - 0.3 x).
-constexpr double bent_area = 1.05 * 1.05 - (0.2 * (0.05 - 0.15) - 0.4 * (0.1 / 3.0 - 0.3 / 4.0) + 0.1 * (0.1 / 4.0 - 0.3 / 3.0));
+/// Integral of det J of `bent` over the unit square: (1 + 0.1 y)(1 + 0.1 x) - (0.2 - 0.4 y + 0.1 x)(0.1 y -
+/// 0.3 x).
+constexpr double bent_area =
+    1.05 * 1.05 - (0.2 * (0.05 - 0.15) - 0.4 * (0.1 / 3.0 - 0.3 / 4.0) + 0.1 * (0.1 / 4.0 - 0.3 / 3.0));
 
 /// A test function's factor of one: the area.
 struct One
@@ -49,7 +51,8 @@ struct DerivativeErrors
   void operator()(const fem::PointInput<S, 1, 1, 2>& in, fem::PointOutput<S, 1>& out) const
   {
     const S errors[5] = {in.gradient[0][0] - in.data[0], in.gradient[0][1] - in.data[1],
-                         in.second[0][0] - lanes(6.0), in.second[0][1] - lanes(-1.0), in.second[0][2] - lanes(1.0)};
+                         in.second[0][0] - lanes(6.0), in.second[0][1] - lanes(-1.0),
+                         in.second[0][2] - lanes(1.0)};
     out.value[0] = S(lanes(0.0));
     for (const S& error : errors)
       out.value[0] = out.value[0] + error * error;
@@ -70,7 +73,8 @@ struct Tangled
     out.value[0] = in.value[0] * in.value[1] + in.second[0][0] * in.second[0][1];
     out.value[1] = in.gradient[1][0] * in.value[0] * in.data[0];
     out.gradient[0] = {in.second[0][2] * in.value[1], in.gradient[0][1] * in.gradient[1][0]};
-    out.gradient[1] = {sqrt(in.value[0] * in.value[0] + in.metric[0]), in.value[1] / (in.value[1] * in.value[1] + in.data[0])};
+    out.gradient[1] = {sqrt(in.value[0] * in.value[0] + in.metric[0]),
+                       in.value[1] / (in.value[1] * in.value[1] + in.data[0])};
   }
 };
 

@@ -45,7 +45,8 @@ struct Tangled
   template <class S>
   std::array<S, 2> operator()(const fem::SideInput<S, 2, 0>& in) const
   {
-    return {in.value[0] * in.gradient[1][0] * in.normal[0], in.value[1] * in.value[0] + in.gradient[0][1] * in.gradient[1][1]};
+    return {in.value[0] * in.gradient[1][0] * in.normal[0],
+            in.value[1] * in.value[0] + in.gradient[0][1] * in.gradient[1][1]};
   }
 };
 

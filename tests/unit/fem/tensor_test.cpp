@@ -31,8 +31,8 @@ double difference(const Lanes& a, const Lanes& b)
 }
 
 /// sum_ij along_eta(r, j) along_xi(q, i) nodal(j, i), term by term.
-Lanes dense(const fem::LineTable& table, const std::vector<double>& along_xi, const std::vector<double>& along_eta,
-            const std::vector<Lanes>& nodal, int q, int r)
+Lanes dense(const fem::LineTable& table, const std::vector<double>& along_xi,
+            const std::vector<double>& along_eta, const std::vector<Lanes>& nodal, int q, int r)
 {
   Lanes sum{};
   for (int j = 0; j < table.nodes; ++j)
@@ -51,16 +51,18 @@ TEST_CASE("sum factorisation gives the values and all derivatives of the dense s
     const int m = table.points;
     const std::vector<Lanes> nodal = sample(table.nodes * table.nodes, 0.3);
     std::vector<std::vector<Lanes>> out(6, std::vector<Lanes>(m * m));
-    fem::interpolate(table, nodal.data(),
-                     {out[0].data(), out[1].data(), out[2].data(), out[3].data(), out[4].data(), out[5].data()});
-    const std::vector<double>* along_xi[] = {&table.value, &table.first, &table.value,
+    fem::interpolate(
+        table, nodal.data(),
+        {out[0].data(), out[1].data(), out[2].data(), out[3].data(), out[4].data(), out[5].data()});
+    const std::vector<double>* along_xi[] = {&table.value,  &table.first, &table.value,
                                              &table.second, &table.first, &table.value};
     const std::vector<double>* along_eta[] = {&table.value, &table.value, &table.first,
                                               &table.value, &table.first, &table.second};
     double largest = 0.0;
     for (int k = 0; k < 6; ++k)
       for (int q = 0; q < m * m; ++q)
-        largest = std::max(largest, difference(out[k][q], dense(table, *along_xi[k], *along_eta[k], nodal, q % m, q / m)));
+        largest = std::max(
+            largest, difference(out[k][q], dense(table, *along_xi[k], *along_eta[k], nodal, q % m, q / m)));
     CHECK(largest < 1e-11);
   }
 }

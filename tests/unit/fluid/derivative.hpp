@@ -17,12 +17,13 @@ inline std::vector<double> apply(const blockfsi::mesh::Mesh& mesh, std::size_t c
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j)
         product[components * mesh.cell(c)[i / components] + i % components] +=
-            matrices[(c * n + i) * n + j] * direction[components * mesh.cell(c)[j / components] + j % components];
+            matrices[(c * n + i) * n + j] *
+            direction[components * mesh.cell(c)[j / components] + j % components];
   return product;
 }
 
-/// Largest difference of a product and the derivative of `residual` along the same direction by differences of
-/// fourth order, relative to the largest entry of the product.
+/// Largest difference of a product and the derivative of `residual` along the same direction by differences
+/// of fourth order, relative to the largest entry of the product.
 inline double derivative_error(const std::vector<double>& product, const std::vector<double>& direction,
                                const std::vector<double>& z,
                                const std::function<std::vector<double>(const std::vector<double>&)>& residual)
@@ -43,7 +44,8 @@ inline double derivative_error(const std::vector<double>& product, const std::ve
   double norm = 0.0;
   for (std::size_t i = 0; i < z.size(); ++i)
   {
-    const double difference = (8.0 * (near_ahead[i] - near_behind[i]) - (ahead[i] - behind[i])) / (12.0 * step);
+    const double difference =
+        (8.0 * (near_ahead[i] - near_behind[i]) - (ahead[i] - behind[i])) / (12.0 * step);
     error = std::max(error, std::abs(product[i] - difference));
     norm = std::max(norm, std::abs(product[i]));
   }

@@ -87,8 +87,9 @@ TEST_CASE("the tangent of an open boundary is the derivative of its residual, wi
   const std::vector<double> direction = waves(3 * count, 0.0, 1.0, 1.9);
   const std::vector<double> w = waves(2 * count, 0.1, 0.1, 0.5);
   const std::array<fem::NodalField, 1> data = {{{w.data(), 2}}};
-  const auto nothing = [](const std::array<double, 2>& x, const std::array<double, 2>& normal)
-  { return std::array<double, 2>{x[0] * normal[0], 2.0 + x[1]}; };
+  const auto nothing = [](const std::array<double, 2>& x, const std::array<double, 2>& normal) {
+    return std::array<double, 2>{x[0] * normal[0], 2.0 + x[1]};
+  };
   for (const double sign : {1.0, -1.0})  // upwards: in below, out above
     for (const bool do_nothing : {false, true})
     {
@@ -120,7 +121,9 @@ TEST_CASE("backflow is resisted with the kinetic energy that it brings, outflow 
                                  .viscosity = 0.0,
                                  .backflow = 0.5,
                                  .do_nothing = false,
-                                 .traction = [](const auto&, const auto&) { return std::array{0.0, 0.0}; }};
+                                 .traction = [](const auto&, const auto&) {
+                                   return std::array{0.0, 0.0};
+                                 }};
   for (const double v : {3.0, -3.0})
   {
     std::vector<double> z(3 * count, 0.0);
@@ -136,7 +139,8 @@ TEST_CASE("backflow is resisted with the kinetic energy that it brings, outflow 
   }
 }
 
-TEST_CASE("the momentum residuals of all nodes add up to the change of momentum and the transport through cells")
+TEST_CASE(
+    "the momentum residuals of all nodes add up to the change of momentum and the transport through cells")
 {
   const SampleMesh sample = structured(4, 3, 3, bent, true);
   const std::size_t count = sample.mesh.node_count();

@@ -26,7 +26,11 @@ struct Square
   linalg::Numbering numbering;
   Timings timings;
 
-  explicit Square(int order) : sample(structured(order, 3, 3, [](double x, double y) { return std::array{x, y}; }))
+  explicit Square(int order)
+      : sample(structured(order, 3, 3,
+                          [](double x, double y) {
+                            return std::array{x, y};
+                          }))
   {
     for (std::int32_t k = 0; k < 3; ++k)
     {
@@ -72,7 +76,8 @@ TEST_CASE("where boundaries meet a wall wins over the interface, that over a vel
   parameters.boundaries = {{"left", fluid::Wall{}, {}},
                            {"right", fluid::Velocity{{1.0, 0.0, 0.0}}, {}},
                            {"top", fluid::Slip{}, {}}};
-  const auto conditions = fluid::find_conditions(parameters, square.sample.mesh, square.numbering, square.sample.x);
+  const auto conditions =
+      fluid::find_conditions(parameters, square.sample.mesh, square.numbering, square.sample.x);
   const int zero = static_cast<int>(fluid::Prescribed::Kind::zero);
   const int expression = static_cast<int>(fluid::Prescribed::Kind::expression);
   const int interface = static_cast<int>(fluid::Prescribed::Kind::interface);
@@ -91,7 +96,8 @@ TEST_CASE("an enclosed flow fixes one pressure, one with an outflow none")
   const Square square(2);
   const auto pressures = [&](const fluid::Parameters& parameters)
   {
-    const auto conditions = fluid::find_conditions(parameters, square.sample.mesh, square.numbering, square.sample.x);
+    const auto conditions =
+        fluid::find_conditions(parameters, square.sample.mesh, square.numbering, square.sample.x);
     const auto fixed = fluid::fixed_unknowns(conditions, square.sample.mesh);
     int count = 0;
     for (std::size_t i = 2; i < fixed.size(); i += 3)
@@ -110,7 +116,8 @@ TEST_CASE("slip on a slanted side is refused")
   square.sample.x[2 * 13 + 1] += 0.05;
   fluid::Parameters parameters = closed_box();
   parameters.boundaries[3].condition = fluid::Slip{};
-  CHECK_THROWS_AS(fluid::find_conditions(parameters, square.sample.mesh, square.numbering, square.sample.x), Error);
+  CHECK_THROWS_AS(fluid::find_conditions(parameters, square.sample.mesh, square.numbering, square.sample.x),
+                  Error);
 }
 
 TEST_CASE("a fluid at rest under gravity takes the hydrostatic pressure")
@@ -143,7 +150,8 @@ TEST_CASE("a fluid at rest without forces stays at rest")
   const fluid::State start = solver.initial();
   const std::vector<double> w = square.zero();
   std::vector<double> z(3 * square.count(), 0.0);
-  CHECK(solver.solve({0.0, 0.1, 0.5, 0.5}, start, {square.sample.x, w}, z).status == linalg::NewtonStatus::converged);
+  CHECK(solver.solve({0.0, 0.1, 0.5, 0.5}, start, {square.sample.x, w}, z).status ==
+        linalg::NewtonStatus::converged);
   for (const double value : z)
     CHECK(value == 0.0);
 }
@@ -186,7 +194,8 @@ TEST_CASE("the velocity of a step is that at its time, and its end follows from 
     CHECK(0.6 * end.u[i] + 0.4 * start.u[i] == doctest::Approx(z[3 * (i / 2) + i % 2]));
 }
 
-TEST_CASE("the pressure at the end of a step is extrapolated from two, but not from the unknown one at the start")
+TEST_CASE(
+    "the pressure at the end of a step is extrapolated from two, but not from the unknown one at the start")
 {
   Square square(1);
   fluid::Solver solver(closed_box(), square.sample.mesh, square.numbering, square.sample.x, square.timings);

@@ -14,8 +14,8 @@ using namespace blockfsi::linalg;
 namespace
 {
 
-/// One equation f(z) = 0 with its derivative, for the second of two unknowns (the first is fixed: the ordering PORD
-/// ends the program if there is but one); keeps a record of what Newton's method asks.
+/// One equation f(z) = 0 with its derivative, for the second of two unknowns (the first is fixed: the
+/// ordering PORD ends the program if there is but one); keeps a record of what Newton's method asks.
 struct Equation
 {
   std::function<double(double)> f;
@@ -119,7 +119,11 @@ TEST_CASE("an increment that grew with old factors is not taken")
   Case test;
   const auto cubic = [](double right)
   {
-    return Equation{[right](double z) { return z + z * z * z - right; }, [](double z) { return 1.0 + 3.0 * z * z; }, {}, {}, {}};
+    return Equation{[right](double z) { return z + z * z * z - right; },
+                    [](double z) { return 1.0 + 3.0 * z * z; },
+                    {},
+                    {},
+                    {}};
   };
   Equation gentle = cubic(0.0);
   double z = 0.01;
@@ -141,7 +145,11 @@ TEST_CASE("increments that keep growing with fresh factors are reported as diver
 {
   Case test;
   // The cube root: each increment leads to -2 z.
-  Equation equation{[](double z) { return std::cbrt(z); }, [](double z) { return 1.0 / (3.0 * std::cbrt(z * z)); }, {}, {}, {}};
+  Equation equation{[](double z) { return std::cbrt(z); },
+                    [](double z) { return 1.0 / (3.0 * std::cbrt(z * z)); },
+                    {},
+                    {},
+                    {}};
   double z = 1.0;
   const NewtonReport report = test.solve(equation, z);
   CHECK(report.status == NewtonStatus::diverged);
@@ -151,7 +159,11 @@ TEST_CASE("increments that keep growing with fresh factors are reported as diver
 TEST_CASE("a residual that is not a number is reported as divergence and the factors are not used again")
 {
   Case test;
-  Equation equation{[](double) { return std::numeric_limits<double>::quiet_NaN(); }, [](double) { return 1.0; }, {}, {}, {}};
+  Equation equation{[](double) { return std::numeric_limits<double>::quiet_NaN(); },
+                    [](double) { return 1.0; },
+                    {},
+                    {},
+                    {}};
   double z = 1.0;
   CHECK(test.solve(equation, z).status == NewtonStatus::diverged);
   CHECK(test.factors.stale);

@@ -73,7 +73,8 @@ TEST_CASE("two unknowns per node, one of them fixed everywhere, are told apart")
   const std::span<double> matrices = system.cell_matrices();
   // Rows and columns of a cell: (node 0, a), (node 0, b), (node 1, a), (node 1, b).
   for (std::size_t c = 0; c < 4; ++c)
-    for (const auto& [row, column, value] : {std::tuple{0, 0, 1.0}, {0, 2, -1.0}, {2, 0, -1.0}, {2, 2, 1.0}, {0, 1, 5.0}})
+    for (const auto& [row, column, value] :
+         {std::tuple{0, 0, 1.0}, {0, 2, -1.0}, {2, 0, -1.0}, {2, 2, 1.0}, {0, 1, 5.0}})
       matrices[16 * c + 4 * row + column] = value;
   system.assemble();
   REQUIRE(system.factorise() == Status::ok);
