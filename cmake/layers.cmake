@@ -6,8 +6,10 @@ target_include_directories(blockfsi_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
 target_compile_options(blockfsi_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                                                   -Wno-sign-conversion -Wno-psabi -Werror)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # g++ 12 wrongly warns of overlapping memcpy inside std::string (GCC bug 105329) and of overflows inside fmt.
-  target_compile_options(blockfsi_options INTERFACE -Wno-restrict -Wno-stringop-overflow)
+  # g++ 12 wrongly warns of overlapping memcpy inside std::string (GCC bug 105329) of overflows inside
+  # fmt, and of uninitialised AVX-512 intrinsics inside Eigen (GCC bug 105593).
+  target_compile_options(blockfsi_options INTERFACE -Wno-restrict -Wno-stringop-overflow
+                                                    -Wno-maybe-uninitialized)
 endif()
 if(BLOCKFSI_NATIVE)
   target_compile_options(blockfsi_options INTERFACE -march=native)
@@ -19,10 +21,10 @@ endif()
 
 # External libraries per layer.
 set(needs_core fmt::fmt)
-set(needs_element Eigen3::Eigen)
+set(needs_mesh Eigen3::Eigen)
+set(needs_block Eigen3::Eigen)
 set(needs_output ZLIB::ZLIB)
 set(needs_linalg PkgConfig::PETSC MPI::MPI_C)
-set(needs_fem Eigen3::Eigen)
 set(needs_case PkgConfig::TOMLPLUSPLUS)
 
 file(STRINGS ${PROJECT_SOURCE_DIR}/layers.txt lines REGEX "^[a-z]+:")

@@ -17,6 +17,13 @@
 namespace blockfsi::case_file
 {
 
+/// What corners of blocks do that nothing moves or holds.
+enum class Corners
+{
+  automatic,  ///< block::automatic_rules
+  fixed
+};
+
 /// Everything that a case file says, checked: the parameters of all layers and the blocks.
 struct Case
 {
@@ -25,6 +32,7 @@ struct Case
   Constants constants;
   block::Layout layout;
   std::vector<block::Follow> follows;
+  Corners corners = Corners::automatic;
   std::optional<fluid::Parameters> fluid;
   std::optional<solid::Parameters> solid;
   fem::TimeParameters time;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace blockfsi::case_file
@@ -20,7 +21,10 @@ struct Rules
   const block::Layout& pieces;
   const block::Layout& merged;
   std::vector<block::Follow>& follows;
+  Corners& corners;
 };
+
+constexpr std::array<std::string_view, 2> corner_choices = {"automatic", "fixed"};
 
 /// The point of the merged layout that a point of the pieces became: the nearest one.
 int merged_point(const Rules& rules, int point)
@@ -65,10 +69,14 @@ block::Follow read_rule(const Field& field, Reading& reading, const Rules& rules
 const Keys<Rules>& regenerate_keys()
 {
   static const Keys<Rules> keys = {
+      {{"corners", "\"automatic\" or \"fixed\"", "automatic", "",
+        "what corners inside the domain do that are not on the interface and have no rule in follows: "
+        "automatic "
+        "moves them smoothly with the interface, fixed leaves them where they are"},
+       [](const Value& v, Reading&, Rules& rules)
+       { rules.corners = static_cast<Corners>(choice(v, corner_choices)); }},
       {{"follows", "table \"point\" = \"leader\" or { \"leader\" = weight, ... }", "{}", "",
-        "corners that move by the weighted displacements of others; corners on the interface move with it, "
-        "all others "
-        "stay"},
+        "corners that move by the weighted displacements of others; corners on the interface move with it"},
        [](const Value& v, Reading& r, Rules& rules)
        {
          for (const Field& field : table(v))
@@ -88,9 +96,9 @@ const Keys<Rules>& motion_keys()
 }  // namespace
 
 void read_motion(const Value& value, Reading& reading, const block::Layout& pieces,
-                 const block::Layout& merged, std::vector<block::Follow>& follows)
+                 const block::Layout& merged, std::vector<block::Follow>& follows, Corners& corners)
 {
-  Rules rules{pieces, merged, follows};
+  Rules rules{pieces, merged, follows, corners};
   read_keys(value, motion_keys(), reading, rules);
 }
 

@@ -84,7 +84,7 @@ constexpr std::array<Part, 11> parts = {
       [](const Value& v, Draft& d) { read_coupling(v, d.reading, d.result.coupling); }},
      {"motion", motion_sections,
       [](const Value& v, Draft& d)
-      { read_motion(v, d.reading, d.pieces, d.result.layout, d.result.follows); }},
+      { read_motion(v, d.reading, d.pieces, d.result.layout, d.result.follows, d.result.corners); }},
      {"output", output_sections,
       [](const Value& v, Draft& d) { read_output(v, d.reading, d.result.output); }},
      {"petsc", petsc_sections,

@@ -33,7 +33,7 @@ std::vector<Section> boundaries_sections();
 
 /// Rules in the numbers of `merged`, for names in the pieces that it was merged from.
 void read_motion(const Value& value, Reading& reading, const block::Layout& pieces,
-                 const block::Layout& merged, std::vector<block::Follow>& follows);
+                 const block::Layout& merged, std::vector<block::Follow>& follows, Corners& corners);
 std::vector<Section> motion_sections();
 
 void read_fluid(const Value& value, Reading& reading, fluid::Parameters& parameters);

@@ -43,12 +43,14 @@ Box box_of(const mesh::Mesh& mesh, std::span<const double> x, std::size_t cell)
 
 bool holds(const Box& box, const std::array<double, 2>& point)
 {
-  return point[0] >= box.low[0] && point[0] <= box.high[0] && point[1] >= box.low[1] && point[1] <= box.high[1];
+  return point[0] >= box.low[0] && point[0] <= box.high[0] && point[1] >= box.low[1] &&
+         point[1] <= box.high[1];
 }
 
 /// Finds the point in one cell; nothing if it is not at least `margin` inside of it, in the unit cell.
 std::optional<Located> invert(const mesh::Mesh& mesh, std::span<const double> x, std::size_t cell,
-                              const std::array<double, 2>& point, std::span<const double> nodes, double margin)
+                              const std::array<double, 2>& point, std::span<const double> nodes,
+                              double margin)
 {
   const int n = mesh.order + 1;
   std::array<double, 2> xi = {0.5, 0.5};
@@ -95,12 +97,13 @@ double Located::value(const mesh::Mesh& mesh, std::span<const double> field, int
   return sum;
 }
 
-std::optional<Located> locate(const mesh::Mesh& mesh, std::span<const double> x, const std::array<double, 2>& point,
-                              std::size_t first)
+std::optional<Located> locate(const mesh::Mesh& mesh, std::span<const double> x,
+                              const std::array<double, 2>& point, std::size_t first)
 {
   const std::vector<double> nodes = element::lobatto(mesh.order);
-  const auto attempt = [&](std::size_t cell, double margin) -> std::optional<Located>
-  { return holds(box_of(mesh, x, cell), point) ? invert(mesh, x, cell, point, nodes, margin) : std::nullopt; };
+  const auto attempt = [&](std::size_t cell, double margin) -> std::optional<Located> {
+    return holds(box_of(mesh, x, cell), point) ? invert(mesh, x, cell, point, nodes, margin) : std::nullopt;
+  };
   if (first < mesh.cell_count())
     if (std::optional<Located> found = attempt(first, well_inside))
       return found;

@@ -1,5 +1,6 @@
 #include "run/simulation.hpp"
 
+#include "block/corners.hpp"
 #include "linalg/communicator.hpp"
 
 #include <fmt/format.h>
@@ -44,13 +45,26 @@ Simulation::Simulation(const case_file::Case& description)
   if (case_.fluid && case_.solid)
     interface_ = block::interface_nodes(case_.layout, skeleton_, case_.fluid->region, case_.solid->region);
   if (case_.fluid)
-    fluid_ = std::make_unique<FluidSide>(case_.layout, skeleton_, *case_.fluid, interface_, case_.follows,
-                                         timings_);
+    fluid_ =
+        std::make_unique<FluidSide>(case_.layout, skeleton_, *case_.fluid, interface_, rules(), timings_);
   if (case_.solid)
     solid_ = std::make_unique<SolidSide>(case_.layout, skeleton_, *case_.solid, interface_, timings_);
   if (fluid_ && solid_)
     acceleration_ = std::make_unique<coupling::Acceleration>(case_.coupling, 2 * interface_.size());
   history_.assign(3, std::vector<double>(2 * interface_.size(), 0.0));
+}
+
+/// The rules of all corners that move though they are not on the interface.
+std::vector<block::Follow> Simulation::rules() const
+{
+  std::vector<block::Follow> all = case_.follows;
+  if (case_.corners == case_file::Corners::automatic && !interface_.empty())
+  {
+    const std::vector<block::Follow> more =
+        block::automatic_rules(case_.layout, skeleton_, interface_, case_.follows);
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  return all;
 }
 
 Simulation::~Simulation() = default;
@@ -92,15 +106,13 @@ std::vector<fem::TimeStep> Simulation::substeps() const
 StepReport Simulation::advance()
 {
   StepReport report;
-  const std::vector<fem::TimeStep> parts = substeps();
-  const output::Arrays before = parts.size() > 1 ? save() : output::Arrays();
-  for (const fem::TimeStep& step : parts)
+  // A part of the step that went well, factors and the accelerator's columns do not outlive its failure.
+  const output::Arrays before = save();
+  for (const fem::TimeStep& step : substeps())
     if (!substep(step, report))
     {
       report.ok = false;
-      // A part that went well is no good state if a later one of its step fails.
-      if (!before.empty())
-        restore(before);
+      restore(before);
       return report;
     }
   ++step_;

@@ -16,7 +16,7 @@
 namespace blockfsi::run
 {
 
-/// How a step went. A failed step leaves the accepted state as it was.
+/// How a step went. A failed step leaves the simulation as it was.
 struct StepReport
 {
   bool ok = true;
@@ -65,6 +65,7 @@ private:
   bool solve_fluid(StepReport& report);
   bool solve_solid(std::span<const double> load, StepReport& report);
   void keep_interface(std::span<const double> d, double step);
+  std::vector<block::Follow> rules() const;
   std::string when() const;
 
   case_file::Case case_;
