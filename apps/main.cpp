@@ -1,9 +1,10 @@
 #include "case/case.hpp"
 #include "case/describe.hpp"
-#include "core/error.hpp"
 #include "linalg/communicator.hpp"
 #include "linalg/session.hpp"
+#include "run/failure.hpp"
 #include "run/mesh.hpp"
+#include "run/reference.hpp"
 #include "run/run.hpp"
 #include "run/verify.hpp"
 
@@ -62,6 +63,9 @@ Exit verify(const Arguments& arguments)
 {
   const blockfsi::case_file::Case description = read(arguments);
   const blockfsi::run::RunOptions options{false, arguments.directory};
+  const std::filesystem::path reference = description.path.parent_path() / "reference.csv";
+  // Mistakes in the references are better found before a long run than after it.
+  blockfsi::run::read_references(reference);
   if (!arguments.finished)
   {
     blockfsi::linalg::add_options(description.petsc_options);
@@ -72,8 +76,7 @@ Exit verify(const Arguments& arguments)
   if (blockfsi::linalg::part().rank != 0)
     return Exit::done;
   const auto comparisons =
-      blockfsi::run::compare(description.path.parent_path() / "reference.csv",
-                             blockfsi::run::result_folder(description, options), arguments.level);
+      blockfsi::run::compare(reference, blockfsi::run::result_folder(description, options), arguments.level);
   fmt::print("{}", blockfsi::run::report(comparisons));
   return blockfsi::run::all_ok(comparisons) ? Exit::done : Exit::missed;
 }
@@ -83,18 +86,6 @@ void add_case(CLI::App& command, Arguments& arguments)
   command.add_option("case", arguments.case_path, "case file (TOML)")->required();
   command.add_option("--set", arguments.overrides, "replace a value of the case: section.key=value (TOML)")
       ->allow_extra_args(false);
-}
-
-/// Ends this process after an error. Where all others have failed too, process 0 tells; otherwise this one
-/// does, and ends the others, which would wait for it for ever.
-Exit end_with(Exit code, const std::string& message)
-{
-  const bool together = blockfsi::linalg::all_arrive(2.0);
-  if (!together || blockfsi::linalg::part().rank == 0)
-    fmt::print(stderr, "{}\n", message);
-  if (!together)
-    blockfsi::linalg::abort(static_cast<int>(code));
-  return code;
 }
 
 Exit dispatch(int count, char** values)
@@ -149,17 +140,12 @@ Exit dispatch(int count, char** values)
       return verify(arguments);
     return *check_command ? check(arguments) : mesh(arguments);
   }
-  catch (const blockfsi::Error& error)
-  {
-    return end_with(Exit::user_error, error.what());
-  }
-  catch (const std::filesystem::filesystem_error& error)
-  {
-    return end_with(Exit::user_error, error.what());
-  }
   catch (const std::exception& error)
   {
-    return end_with(Exit::internal_error, fmt::format("blockfsi: internal error: {}", error.what()));
+    blockfsi::run::end_unless_all_failed(error);
+    if (blockfsi::linalg::part().rank == 0)
+      fmt::print(stderr, "{}\n", blockfsi::run::message_of(error));
+    return blockfsi::run::exit_of(error);
   }
 }
 
@@ -173,7 +159,7 @@ int main(int count, char** values)
   }
   catch (const std::exception& error)
   {
-    fmt::print(stderr, "blockfsi: internal error: {}\n", error.what());
-    return static_cast<int>(Exit::internal_error);
+    fmt::print(stderr, "{}\n", blockfsi::run::message_of(error));
+    return static_cast<int>(blockfsi::run::exit_of(error));
   }
 }

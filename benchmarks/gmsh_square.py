@@ -15,7 +15,7 @@ import gmsh
 
 def growth(cells, length, first):
     """Ratio of geometric cells of which the first has the given size, by bisection."""
-    low, high = 1.0, 10.0
+    low, high = 1.0, 2.0
     for _ in range(200):
         ratio = 0.5 * (low + high)
         total = first * math.expm1(cells * math.log(ratio)) / (ratio - 1.0) if ratio > 1.0 else first * cells

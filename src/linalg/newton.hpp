@@ -3,7 +3,9 @@
 #include "core/timing.hpp"
 #include "linalg/system.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -31,10 +33,9 @@ struct NewtonLimits
 {
   double tolerance = 1e-8;
   int iterations = 25;
-  /// Increments must shrink by this factor per iteration, or the factors are renewed. At 0.3 an iteration
-  /// with old factors (a residual and a back substitution) still wins half a digit for a fraction of the
-  /// price of renewing.
-  double slowest_rate = 0.3;
+  /// Factors are renewed when more iterations than this seem to be left. Renewing costs about as much as so many
+  /// residuals and back substitutions.
+  double patience = 5.0;
 };
 
 /// Whether the factors at hand may still be used; part of what a restart needs.
@@ -42,6 +43,14 @@ struct Factors
 {
   bool stale = true;
 };
+
+/// Iterations until increments that shrink by `rate` each reach the tolerance.
+inline double iterations_left(double increment, double rate, double tolerance)
+{
+  if (rate >= 1.0)
+    return std::numeric_limits<double>::infinity();
+  return rate > 0.0 ? std::log(std::min(1.0, tolerance / increment)) / std::log(rate) : 0.0;
+}
 
 /// Makes the factors anew at z; false if the matrix is singular.
 template <class Problem>
@@ -107,7 +116,7 @@ template <class Problem>
     if (!std::isfinite(report.increment))
       return end_with(NewtonStatus::diverged);
     const double rate = before > 0.0 ? report.increment / before : 0.0;
-    factors.stale = rate > limits.slowest_rate;
+    factors.stale = before > 0.0 && iterations_left(report.increment, rate, limits.tolerance) > limits.patience;
     if (!fresh && rate > 1.0)
       continue;  // the old factors led astray: do not take this increment
     for (std::size_t i = 0; i < z.size(); ++i)

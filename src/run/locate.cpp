@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace blockfsi::run
 {
@@ -60,6 +61,7 @@ std::optional<Located> invert(const mesh::Mesh& mesh, std::span<const double> x,
     Located located{cell, std::vector<double>(n * n)};
     std::array<double, 2> miss = {-point[0], -point[1]};
     std::array<std::array<double, 2>, 2> jacobian{};
+    double size = 0.0;
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i)
       {
@@ -67,6 +69,7 @@ std::optional<Located> invert(const mesh::Mesh& mesh, std::span<const double> x,
         located.shape[j * n + i] = tables.value[i] * tables.value[n + j];
         for (int c = 0; c < 2; ++c)
         {
+          size = std::max(size, std::abs(x[2 * node + c]));
           miss[c] += located.shape[j * n + i] * x[2 * node + c];
           jacobian[c][0] += tables.first[i] * tables.value[n + j] * x[2 * node + c];
           jacobian[c][1] += tables.value[i] * tables.first[n + j] * x[2 * node + c];
@@ -75,10 +78,16 @@ std::optional<Located> invert(const mesh::Mesh& mesh, std::span<const double> x,
     const double det = jacobian[0][0] * jacobian[1][1] - jacobian[0][1] * jacobian[1][0];
     const std::array<double, 2> change = {(jacobian[1][1] * miss[0] - jacobian[0][1] * miss[1]) / det,
                                           (jacobian[0][0] * miss[1] - jacobian[1][0] * miss[0]) / det};
-    if (std::max(std::abs(change[0]), std::abs(change[1])) < 1e-13)
+    // Round-off of the coordinates, which is much in the unit cell if the cell is thin and far from the
+    // origin.
+    const double blur = 16.0 * std::numeric_limits<double>::epsilon() * size / std::abs(det);
+    const std::array<double, 2> least = {
+        std::max(1e-13, blur * (std::abs(jacobian[1][1]) + std::abs(jacobian[0][1]))),
+        std::max(1e-13, blur * (std::abs(jacobian[0][0]) + std::abs(jacobian[1][0])))};
+    if (std::abs(change[0]) < least[0] && std::abs(change[1]) < least[1])
     {
-      const bool inside = xi[0] > margin && xi[0] < 1.0 - margin && xi[1] > margin && xi[1] < 1.0 - margin;
-      return inside ? std::optional(located) : std::nullopt;
+      const auto inside = [&](int c) { return xi[c] > margin - least[c] && xi[c] < 1.0 - margin + least[c]; };
+      return inside(0) && inside(1) ? std::optional(located) : std::nullopt;
     }
     for (int c = 0; c < 2; ++c)
       xi[c] = std::clamp(xi[c] - change[c], -0.5, 1.5);

@@ -1,6 +1,7 @@
 #include "run/run.hpp"
 
 #include "linalg/communicator.hpp"
+#include "run/failure.hpp"
 #include "run/interrupt.hpp"
 #include "run/progress.hpp"
 #include "run/results.hpp"
@@ -10,7 +11,9 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <exception>
 #include <utility>
 
 namespace blockfsi::run
@@ -99,38 +102,19 @@ void conclude(const Simulation& simulation, const std::filesystem::path& folder)
     say("next: blockfsi verify {}\n", simulation.description().path.string());
 }
 
-}  // namespace
-
-std::filesystem::path result_folder(const case_file::Case& description, const RunOptions& options)
+/// Where a run writes, and the number that tells it from other runs.
+struct Place
 {
-  if (!options.directory.empty())
-    return options.directory;
-  const std::filesystem::path beside = description.path.parent_path();
-  return beside / (description.output.directory.empty() ? "results" : description.output.directory);
-}
+  std::filesystem::path folder;
+  std::filesystem::path checkpoints;
+  std::uint64_t run;
+};
 
-Exit run(const case_file::Case& description, const RunOptions& options)
+/// Does one step after the other, until the end, a failure or a signal.
+Exit step_through(Simulation& simulation, Results& results, const InterruptGuard& guard, const Place& place)
 {
-  const auto start = std::chrono::steady_clock::now();
-  const std::filesystem::path folder = result_folder(description, options);
-  const std::filesystem::path checkpoints = folder / "checkpoint";
-  const auto run_number = static_cast<std::uint64_t>(
-      linalg::from_first(std::chrono::system_clock::now().time_since_epoch().count()));
-  Simulation simulation(description);
-  const InterruptGuard guard;
-  if (options.restart)
-    restart(simulation, checkpoints);
-  else if (linalg::part().rank == 0)
-    output::remove_all(checkpoints);
-  introduce(simulation, folder);
-  Results results(folder, simulation, options.restart);
-  const bool starts_from_rest = !options.restart && description.time.scheme != fem::Scheme::steady;
-  if (starts_from_rest && description.output.every > 0.0)
-    results.add_fields();
-
+  const int checkpoint_every = simulation.description().output.checkpoint_every;
   Progress progress(simulation);
-  const std::int64_t first_step = simulation.step();
-  Exit result = Exit::done;
   while (!simulation.finished())
   {
     const StepReport report = simulation.advance();
@@ -140,8 +124,7 @@ Exit run(const case_file::Case& description, const RunOptions& options)
       if (linalg::part().rank == 0)
         fmt::print(stderr, "blockfsi: {}; the last good state (t = {:g} s) is in the results\n",
                    report.failure, simulation.time());
-      result = Exit::failed;
-      break;
+      return Exit::failed;
     }
     {
       const Stopwatch watch(simulation.timings(), Task::output);
@@ -154,23 +137,70 @@ Exit run(const case_file::Case& description, const RunOptions& options)
     {
       progress.end();
       say("interrupted after step {}; continue with --restart\n", simulation.step());
-      result = Exit::interrupted;
-      break;
+      return Exit::interrupted;
     }
-    if (simulation.step() % description.output.checkpoint_every == 0)
-      write_checkpoint(simulation, checkpoints, run_number);
+    if (simulation.step() % checkpoint_every == 0)
+      write_checkpoint(simulation, place.checkpoints, place.run);
   }
   progress.end();
+  return Exit::done;
+}
+
+Exit carry_out(Simulation& simulation, bool is_restart, const Place& place,
+               std::chrono::steady_clock::time_point start)
+{
+  const case_file::Case& description = simulation.description();
+  const InterruptGuard guard;
+  if (is_restart)
+    restart(simulation, place.checkpoints);
+  else if (linalg::part().rank == 0)
+    output::remove_all(place.checkpoints);
+  introduce(simulation, place.folder);
+  Results results(place.folder, simulation, is_restart);
+  const bool starts_from_rest = !is_restart && description.time.scheme != fem::Scheme::steady;
+  if (starts_from_rest && description.output.every > 0.0)
+    results.add_fields();
+
+  const std::int64_t first_step = simulation.step();
+  const Exit result = step_through(simulation, results, guard, place);
   if (result != Exit::interrupted)
   {
     const Stopwatch watch(simulation.timings(), Task::output);
     results.add_fields();
   }
-  write_checkpoint(simulation, checkpoints, run_number);
+  write_checkpoint(simulation, place.checkpoints, place.run);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   say("{}", timing_summary(simulation.timings(), wall.count(), simulation.step() - first_step));
-  conclude(simulation, folder);
+  conclude(simulation, place.folder);
   return result;
+}
+
+}  // namespace
+
+std::filesystem::path result_folder(const case_file::Case& description, const RunOptions& options)
+{
+  if (!options.directory.empty())
+    return options.directory;
+  const std::filesystem::path beside = description.path.parent_path();
+  return beside / (description.output.directory.empty() ? "results" : description.output.directory);
+}
+
+Exit run(const case_file::Case& description, const RunOptions& options)
+{
+  const std::filesystem::path folder = result_folder(description, options);
+  const auto start = std::chrono::steady_clock::now();
+  const auto now = linalg::from_first(std::chrono::system_clock::now().time_since_epoch().count());
+  Simulation simulation(description);
+  try
+  {
+    return carry_out(simulation, options.restart,
+                     {folder, folder / "checkpoint", static_cast<std::uint64_t>(now)}, start);
+  }
+  catch (const std::exception& error)
+  {
+    end_unless_all_failed(error);
+    throw;
+  }
 }
 
 }  // namespace blockfsi::run

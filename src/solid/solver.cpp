@@ -179,7 +179,7 @@ linalg::NewtonReport Solver::solve(const Body& body, std::span<const double> ori
   Problem problem{*this, body, origin, constant};
   // A thin body is stiff against stretching and soft against bending: old factors lead far astray when it
   // turns.
-  const linalg::NewtonLimits limits{parameters_.newton.tolerance, parameters_.newton.iterations, 0.01};
+  const linalg::NewtonLimits limits{parameters_.newton.tolerance, parameters_.newton.iterations, 2.0};
   const linalg::NewtonReport report = linalg::newton(limits, system_, factors_, problem, d, *timings_);
   linearisation_.stale = factors_.stale;
   return report;

@@ -70,7 +70,7 @@ TEST_CASE("Newton's method with factors renewed in every iteration converges qua
 {
   Case test;
   test.limits.tolerance = 1e-14;
-  test.limits.slowest_rate = 0.0;
+  test.limits.patience = 0.0;
   Equation equation = square_root(2.0);
   double z = 3.0;
   const NewtonReport report = test.solve(equation, z);
@@ -87,6 +87,7 @@ TEST_CASE("factors are kept within a solution and over solutions while increment
 {
   Case test;
   test.limits.tolerance = 1e-10;
+  test.limits.patience = 10.0;
   Equation equation = square_root(2.0);
   double z = 1.5;
   const NewtonReport first = test.solve(equation, z);
