@@ -11,6 +11,7 @@ namespace blockfsi
 enum class Task
 {
   place,
+  quality,
   assembly,
   factorisation,
   solve,
@@ -18,8 +19,8 @@ enum class Task
   output
 };
 
-inline constexpr std::array<std::string_view, 6> task_names = {"place", "assembly", "factorisation",
-                                                               "solve", "transfer", "output"};
+inline constexpr std::array<std::string_view, 7> task_names = {
+    "place", "mesh quality", "assembly", "factorisation", "solve", "transfer", "output"};
 
 /// Wall time [s] and number of calls by task.
 struct Timings

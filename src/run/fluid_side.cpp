@@ -78,11 +78,13 @@ void FluidSide::accept()
 
 mesh::Quality FluidSide::quality() const
 {
+  const Stopwatch watch(*timings_, Task::quality);
   return combine(mesh::measure(quality_tables_, connected_.mesh, x_new_, first_jacobian_));
 }
 
 mesh::Validity FluidSide::certify() const
 {
+  const Stopwatch watch(*timings_, Task::quality);
   return combine(mesh::certify(validity_tables_, connected_.mesh, x_));
 }
 

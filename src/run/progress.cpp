@@ -15,7 +15,7 @@ namespace blockfsi::run
 Progress::Progress(const Simulation& simulation)
     : simulation_(&simulation), start_(std::chrono::steady_clock::now()),
       shown_(start_ - std::chrono::hours(1)), first_step_(simulation.step()),
-      terminal_(isatty(STDOUT_FILENO) != 0), speaks_(linalg::part().rank == 0)
+      terminal_(isatty(STDOUT_FILENO) != 0 && linalg::part().size == 1), speaks_(linalg::part().rank == 0)
 {
 }
 

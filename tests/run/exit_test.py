@@ -1,4 +1,5 @@
 """How a run ends: the exit code, what it says, and what it leaves behind."""
+import math
 import re
 import resource
 import shutil
@@ -17,7 +18,8 @@ class Done(RunTest):
         folder = self.folder / "results"
         output = self.call("run", support.CASES / "wall-ramm-flap/case.toml", "--directory", folder,
                            *arguments(TINY)).stdout
-        for part in ("place", "assembly", "factorisation", "solve", "transfer", "output", "rest", "total"):
+        for part in ("place", "mesh quality", "assembly", "factorisation", "solve", "transfer", "output", "rest",
+                     "total"):
             self.assertRegex(output, rf"(?m)^{part} +\d+\.\d+ +\d+\.\d\d%")
         self.assertIn(f"results are in {folder}", output)
         self.assertIn("step 3/3", output)
@@ -30,6 +32,20 @@ class Done(RunTest):
             self.call("run", support.CASES / "schaefer-turek-2d1/case.toml", "--directory", folder,
                       *arguments(("blocks.order=1", f"output.every={every}")))
             self.assertEqual([path.name for path in (folder / "fields").iterdir()], ["fluid-000001.vtu"])
+
+    def test_a_probe_that_the_flap_moves_over_has_no_value_meanwhile(self):
+        probes = ('output.probes={tip={at=[0.095, 0.06], of="displacement"}, '
+                  'below={at=[0.0945, 0.05965], of="pressure"}}')
+        self.call("run", support.CASES / "wall-ramm-flap/case.toml", "--directory", self.folder / "results",
+                  *arguments((*FLAP, "let.U=2", "time.end=0.5", probes)))
+        table = read_table(self.folder / "results/probes.csv")
+        self.assertTrue(any(map(math.isnan, table["below_p"])))
+        # The flap reaches from 0.0597 to 0.0603 at rest.
+        for pressure, moved in zip(table["below_p"], table["tip_uy"], strict=True):
+            if moved > 1e-5 or moved < -8e-4:
+                self.assertTrue(math.isfinite(pressure))
+            elif -5e-4 < moved < -1e-4:
+                self.assertTrue(math.isnan(pressure))
 
     def test_results_lie_beside_the_case_unless_told_otherwise(self):
         shutil.copy(support.CASES / "wall-ramm-flap/case.toml", self.folder)
