@@ -18,8 +18,9 @@ std::vector<double> take(const output::Arrays& arrays, const std::string& name, 
 {
   std::vector<double> values = output::get<std::vector<double>>(arrays, name);
   if (values.size() != size)
-    throw Error(fmt::format("{}its array '{}' has {} entries where this case needs {}; start anew without --restart",
-                            mismatch, name, values.size(), size));
+    throw Error(
+        fmt::format("{}its array '{}' has {} entries where this case needs {}; start anew without --restart",
+                    mismatch, name, values.size(), size));
   return values;
 }
 
@@ -86,7 +87,8 @@ output::Arrays Simulation::save() const
     const solid::Solver::Linearisation& kept = solid_->solver().linearisation();
     arrays["solid.d"] = solid_->state().d;
     arrays["solid.v"] = solid_->state().v;
-    arrays["solid.linearisation"] = std::vector<double>{kept.stale ? 1.0 : 0.0, kept.inertia, kept.stress_weight};
+    arrays["solid.linearisation"] =
+        std::vector<double>{kept.stale ? 1.0 : 0.0, kept.inertia, kept.stress_weight};
     arrays["solid.linearisation.d"] = kept.d;
   }
   if (acceleration_)
@@ -140,7 +142,8 @@ void Simulation::restore(const output::Arrays& arrays)
     const std::size_t size = 2 * solid_->mesh().node_count();
     solid_->restore({take(arrays, "solid.d", size), take(arrays, "solid.v", size), time_});
     const Values kept = take(arrays, "solid.linearisation", 3);
-    solid_->solver().restore({kept[0] != 0.0, kept[1], kept[2], output::get<Values>(arrays, "solid.linearisation.d")});
+    solid_->solver().restore(
+        {kept[0] != 0.0, kept[1], kept[2], output::get<Values>(arrays, "solid.linearisation.d")});
   }
 }
 

@@ -25,8 +25,8 @@ constexpr std::array<std::string_view, 9> statistic_names = {
 constexpr std::array<std::string_view, 4> kind_names = {"relative", "absolute", "at least", "at most"};
 
 /// Columns of the file, in the order of the numbers below.
-constexpr std::array<std::string_view, 10> column_names = {
-    "quantity", "statistic", "clock", "factor", "value", "tolerance", "kind", "level", "source", "agreement"};
+constexpr std::array<std::string_view, 9> column_names = {
+    "quantity", "statistic", "clock", "factor", "value", "tolerance", "kind", "level", "source"};
 enum Column : std::size_t
 {
   quantity,
@@ -37,8 +37,7 @@ enum Column : std::size_t
   tolerance,
   kind,
   level,
-  source,
-  agreement  ///< the only column that may be missing
+  source
 };
 
 struct Field
@@ -130,7 +129,7 @@ std::array<std::size_t, column_names.size()> read_header(const std::vector<Field
     places[column] = i;
   }
   for (std::size_t column = 0; column < places.size(); ++column)
-    if (places[column] == header.size() && column != agreement)
+    if (places[column] == header.size())
       throw Error(where, fmt::format("column '{}' is missing; the columns are {}", column_names[column],
                                      fmt::join(column_names, ", ")));
   return places;
@@ -191,18 +190,6 @@ void read_tolerance(const Field& kind_field, const Field& field, Reference& refe
                 "a tolerance relative to the reference 0 allows no error; use the kind absolute");
 }
 
-void read_agreement(const Field& field, Reference& reference)
-{
-  if (field.text.empty())
-    return;
-  reference.agreement = read_number(field, "agreement");
-  if (!is_periodic(reference.statistic) || reference.agreement <= 0.0)
-    throw Error(field.where,
-                fmt::format("found the agreement '{}'; it must be positive and goes with maximum, "
-                            "minimum, mean, amplitude and frequency only",
-                            field.text));
-}
-
 void read_level(const Field& field, Reference& reference)
 {
   if (field.text != "short" && field.text != "full" && field.text != "both")
@@ -253,8 +240,6 @@ Reference read_row(const std::vector<Field>& fields,
   read_tolerance(field(kind), field(tolerance), result);
   read_level(field(level), result);
   result.source = field(source).text;
-  if (places[agreement] < fields.size())
-    read_agreement(field(agreement), result);
   return result;
 }
 

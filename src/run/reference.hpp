@@ -47,16 +47,13 @@ struct Reference
   bool in_short = false;  ///< whether the short form of the case is held to it
   bool in_full = false;   ///< whether the full form is
   std::string source;
-  /// How much the amplitudes of the last three periods may differ for the signal to count as periodic [-].
-  double agreement = 0.02;
   Location where;
 };
 
 /// Reads a table of references: CSV with the columns quantity, statistic, clock, factor, value, tolerance,
-/// kind, level (short, full or both), source and, if any row needs it, agreement, in any order. Fields with
-/// commas stand in double quotes.
-/// Empty are allowed: clock, factor (1), source, agreement (0.02) and, for the kinds "at least" and "at
-/// most", the tolerance. Throws Error with the place of the first mistake.
+/// kind, level (short, full or both) and source in any order. Fields with commas stand in double quotes.
+/// Empty are allowed: clock, factor (1), source and, for the kinds "at least" and "at most", the tolerance.
+/// Throws Error with the place of the first mistake.
 std::vector<Reference> read_references(const std::filesystem::path& path);
 
 /// The statistic as reference.csv writes it: "amplitude5".

@@ -52,8 +52,7 @@ Outcome of_periods(const Series& series, const Series& clock_series, const Refer
 {
   const output::Reading reading{.window = std::max(output::Reading{}.window, reference.periods),
                                 .least = std::max(output::Reading{}.least, reference.periods),
-                                .averaged = reference.periods,
-                                .agreement = reference.agreement};
+                                .averaged = reference.periods};
   const output::Clock clock = output::find_periods(clock_series.signal(), reading);
   const output::Statistics beat = output::read_periods(clock_series.signal(), clock, reading);
   if (!clock.found || std::isnan(beat.amplitude))
