@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <string_view>
 #include <utility>
 
 namespace blockfsi::run
@@ -96,10 +97,13 @@ void introduce(const Simulation& simulation, const std::filesystem::path& folder
 void conclude(const Simulation& simulation, const std::filesystem::path& folder)
 {
   say("results are in {}\n", folder.string());
-  say("  probes.csv, forces.csv, quality.csv   one row per step\n");
-  say("  fields.pvd                            open in ParaView; colour by velocity, press play\n");
-  if (simulation.finished())
-    say("next: blockfsi verify {}\n", simulation.description().path.string());
+  for (const std::string_view table : {"probes.csv", "forces.csv", "quality.csv"})
+    if (std::filesystem::exists(folder / table))
+      say("  {:<12} one row per step\n", table);
+  say("  fields.pvd   open in ParaView; colour by velocity, press play\n");
+  const std::filesystem::path& path = simulation.description().path;
+  if (simulation.finished() && std::filesystem::exists(path.parent_path() / "reference.csv"))
+    say("next: blockfsi verify --finished {}\n", path.string());
 }
 
 /// Where a run writes, and the number that tells it from other runs.
