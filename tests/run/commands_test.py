@@ -31,7 +31,7 @@ class Mesh(RunTest):
 
     def test_counts_quality_and_proof_are_told(self):
         output = self.call("mesh", self.case).stdout
-        cells = re.search(r"17 blocks, (\d+) cells of order 2", output).group(1)
+        cells = re.search(r"17 blocks, (\d+) cells of order 3", output).group(1)
         self.assertRegex(output, r"scaled Jacobian at least 0\.99\d")
         self.assertIn(f"proved valid: {cells} of {cells} cells", output)
         self.assertEqual([*self.folder.iterdir()], [])

@@ -21,6 +21,7 @@ ENVIRONMENT = {
 
 # The flap on a mesh so coarse that a step takes hundredths of a second. Long steps make it move.
 FLAP = (
+    "blocks.order=2",
     "blocks.lattice.channel.divide.x=[2, 2, 4, 4]",
     "blocks.lattice.channel.divide.y=[2, 2, 1, 2, 2]",
     "time.step=0.02",
