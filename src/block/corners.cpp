@@ -79,6 +79,7 @@ std::vector<Follow> automatic_rules(const Layout& layout, const Skeleton& skelet
 {
   const std::vector<int> known = known_corners(skeleton, interface, user);
   std::vector<std::array<double, 2>> centres;
+  centres.reserve(known.size());
   for (const int point : known)
     centres.push_back({layout.points[point].x[0], layout.points[point].x[1]});
   const auto moves = [&](int point)

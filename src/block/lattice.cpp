@@ -40,6 +40,7 @@ void check_count(std::size_t given, std::size_t wanted, const char* list, const 
 std::string listed_numbers(const std::vector<double>& values)
 {
   std::vector<std::string> texts;
+  texts.reserve(values.size());
   for (const double value : values)
     texts.push_back(fmt::format("{:.9g}", value));
   return listed(texts);

@@ -123,8 +123,8 @@ private:
 
 }  // namespace
 
-SkeletonMotion::SkeletonMotion(const Skeleton& skeleton, std::vector<std::int64_t> interface,
-                               std::vector<Follow> rules)
+SkeletonMotion::SkeletonMotion(const Skeleton& skeleton, const std::vector<std::int64_t>& interface,
+                               const std::vector<Follow>& rules)
     : dim_(skeleton.dim), x_(skeleton.x), row_begin_{0}
 {
   Resolver resolver(skeleton, interface, rules);

@@ -28,7 +28,8 @@ public:
   /// `interface` lists skeleton numbers of the moving nodes, ascending. Points among them follow the
   /// interface, points with a rule follow their leaders (which may be interface points or have rules
   /// themselves), all others stay. Throws Error if rules run in a circle or move an interface point.
-  SkeletonMotion(const Skeleton& skeleton, std::vector<std::int64_t> interface, std::vector<Follow> rules);
+  SkeletonMotion(const Skeleton& skeleton, const std::vector<std::int64_t>& interface,
+                 const std::vector<Follow>& rules);
 
   /// Skeleton coordinates for a displacement of the interface. Edges between moved points that are not on the
   /// interface follow linearly in their graded parameter: x = X + (1 - w) d_a + w d_b. Allocates nothing.

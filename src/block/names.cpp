@@ -50,6 +50,7 @@ int find_point(const Layout& layout, std::string_view name)
   if (found.empty())
     throw Error(fmt::format("there is no point '{}'{}", name, did_you_mean(name, suggestions(layout))));
   std::vector<std::string> full;
+  full.reserve(found.size());
   for (const int point : found)
     full.push_back("'" + layout.points[point].name + "'");
   throw Error(fmt::format("'{}' may be any of the points {}; give the full name", name, listed(full)));

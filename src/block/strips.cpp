@@ -155,6 +155,7 @@ std::vector<int> strip_divisions(const Layout& layout, const Topology& topology,
                                  const std::vector<Strip>& strips)
 {
   std::vector<int> divisions;
+  divisions.reserve(strips.size());
   for (const Strip& strip : strips)
     divisions.push_back(divisions_of(layout, topology, strip));
   return divisions;

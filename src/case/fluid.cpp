@@ -42,7 +42,8 @@ const Keys<Parameters>& fluid_keys()
        [](const Value& v, Reading& r, Parameters& p)
        { p.initial_velocity = sampled_vector(v, r, in_space, p.region, false); }},
       {{"backflow", "number", fmt::format("{}", defaults.backflow), "-",
-        "stabilisation against flow coming in through traction and outflow boundaries"},
+        "stabilisation against flow coming in through traction and outflow boundaries; 0 where flow shall "
+        "enter there, as from a prescribed pressure"},
        [](const Value& v, Reading& r, Parameters& p) { p.backflow = number(v, r.constants, not_negative); }},
       {{"newton", "table", "see below", "", "Newton's method"},
        [](const Value& v, Reading& r, Parameters& p) { read_keys(v, newton_keys(), r, p.newton); }}};

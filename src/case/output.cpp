@@ -29,10 +29,21 @@ const Keys<Probe>& probe_keys()
   return keys;
 }
 
+/// Names become columns of tables.
+void check_name(const Field& field)
+{
+  if (field.name.empty() || field.name.find_first_of(",\"\r\n") != std::string::npos)
+    throw Error(field.where,
+                fmt::format("{}: found the name \"{}\", allowed are names without commas, quotes and "
+                            "line breaks: they head the columns of the results",
+                            field.value.path, field.name));
+}
+
 void read_probes(const Value& value, Reading& reading, Parameters& parameters)
 {
   for (const Field& field : table(value))
   {
+    check_name(field);
     Probe probe{field.name, {}, "", field.where};
     read_keys(field.value, probe_keys(), reading, probe);
     parameters.probes.push_back(std::move(probe));
@@ -52,6 +63,7 @@ void read_forces(const Value& value, Parameters& parameters)
                             found(value)));
   for (const Field& field : table(value))
   {
+    check_name(field);
     Force force{field.name, {}, field.value.where};
     for (const Value& entry : list(field.value))
       force.on.push_back(text(entry));

@@ -93,6 +93,7 @@ constexpr std::array<Part, 11> parts = {
 void check_sections(const Value& root)
 {
   std::vector<std::string> known;
+  known.reserve(parts.size());
   for (const Part& part : parts)
     known.emplace_back(part.name);
   for (const Field& field : table(root))

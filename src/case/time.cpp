@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 namespace blockfsi::case_file
 {
@@ -15,6 +16,9 @@ using fem::TimeParameters;
 const TimeParameters defaults;
 
 constexpr std::array<std::string_view, 3> schemes = {"steady", "backward-euler", "crank-nicolson"};
+
+/// More steps are taken for a slip of the pen.
+constexpr double most_steps = 1e9;
 
 const Keys<TimeParameters>& time_keys()
 {
@@ -72,6 +76,15 @@ void read_time(const Value& value, Reading& reading, TimeParameters& parameters)
   if (parameters.step > parameters.end)
     fail(*value.find("step"),
          fmt::format("found {} s, allowed is at most the end, {} s", parameters.step, parameters.end));
+  const double steps = parameters.end / parameters.step;
+  if (steps > most_steps)
+    fail(*value.find("step"),
+         fmt::format("found {} s, which makes {:.3g} steps to the end; allowed are {:.0g}", parameters.step,
+                     steps, most_steps));
+  if (std::abs(steps - std::round(steps)) > 1e-6 * steps)
+    fail(*value.find("step"),
+         fmt::format("found {} s, but the end, {} s, is not a whole number of such steps; {:.6g} s would fit",
+                     parameters.step, parameters.end, parameters.end / std::ceil(steps)));
 }
 
 std::vector<Section> time_sections()

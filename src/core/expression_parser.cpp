@@ -308,6 +308,7 @@ private:
   [[noreturn]] void unknown_function(const Token& token) const
   {
     std::vector<std::string> names;
+    names.reserve(functions.size());
     for (const Function& f : functions)
       names.emplace_back(f.name);
     lexer_.fail(token.position,

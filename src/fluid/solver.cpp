@@ -4,6 +4,8 @@
 #include "fluid/flow.hpp"
 #include "linalg/communicator.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,6 +21,24 @@ int quadrature_points(int order)
 {
   return order + 2;
 }
+
+/// Flow through a side: net in the first component, its size in the second.
+struct Flux
+{
+  static constexpr int unknowns = 3;
+  static constexpr int data = 0;
+
+  template <class S>
+  std::array<S, 3> operator()(const fem::SideInput<S, 3, 0>& in) const
+  {
+    const S outward = in.value[0] * in.normal[0] + in.value[1] * in.normal[1];
+    return {outward, std::abs(outward), S(0.0)};
+  }
+};
+
+/// Net flow through the boundary of an enclosed fluid, relative to what passes it, that counts as none:
+/// boundary values are interpolated at the nodes only.
+constexpr double balance_tolerance = 1e-2;
 
 std::vector<std::uint8_t> fixed_everywhere(const Conditions& conditions, const mesh::Mesh& mesh,
                                            const linalg::Numbering& numbering)
@@ -213,6 +233,26 @@ void Solver::apply_conditions(const fem::TimeStep& step, const State& old, const
   }
 }
 
+void Solver::check_balance(const fem::TimeStep& step, const MeshMotion& motion, std::span<const double> z)
+{
+  std::vector<double> residual(z.size(), 0.0);
+  for (const auto& [name, sides] : mesh_->boundaries)
+    sides_.add_residual(Flux{}, sides, motion.x, z, {}, residual);
+  std::array<double, 2> sums{};
+  for (std::size_t i = 0; i < residual.size(); i += 3)
+    for (std::size_t c = 0; c < 2; ++c)
+      sums[c] += residual[i + c];
+  linalg::sum(sums);
+  if (std::abs(sums[0]) > balance_tolerance * sums[1])
+    throw Error(
+        parameters_.boundaries.front().where,
+        fmt::format(
+            "all boundaries of the fluid prescribe the velocity, but at t = {:g} s {:.3g} m^2/s more {} "
+            "than {}; give one boundary outflow or traction",
+            step.t + step.step, std::abs(sums[0]), sums[0] < 0.0 ? "flow in" : "flow out",
+            sums[0] < 0.0 ? "out" : "in"));
+}
+
 void Solver::compute_body_force(const fem::TimeStep& step, std::span<const double> x)
 {
   const double t = step.t + step.theta * step.step;
@@ -228,6 +268,8 @@ linalg::NewtonReport Solver::solve(const fem::TimeStep& step, const State& old, 
                                    std::span<double> z)
 {
   apply_conditions(step, old, motion, z);
+  if (conditions_.enclosed)
+    check_balance(step, motion, z);
   compute_body_force(step, motion.x);
   // Factors of another kind of step are worthless.
   const fem::TimeStep& kept = linearisation_.step;

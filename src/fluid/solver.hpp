@@ -58,6 +58,7 @@ public:
   void guess(const fem::TimeStep& step, const State& old, std::span<double> z) const;
 
   /// Solves for z, starting from its present value; steady if step.step is 0.
+  /// Throws Error if the flow is enclosed and the prescribed velocities bring in more than they let out.
   [[nodiscard]] linalg::NewtonReport solve(const fem::TimeStep& step, const State& old,
                                            const MeshMotion& motion, std::span<double> z);
 
@@ -90,6 +91,7 @@ private:
 
   void apply_conditions(const fem::TimeStep& step, const State& old, const MeshMotion& motion,
                         std::span<double> z) const;
+  void check_balance(const fem::TimeStep& step, const MeshMotion& motion, std::span<const double> z);
   void compute_body_force(const fem::TimeStep& step, std::span<const double> x);
 
   Parameters parameters_;

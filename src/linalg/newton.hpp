@@ -33,8 +33,8 @@ struct NewtonLimits
 {
   double tolerance = 1e-8;
   int iterations = 25;
-  /// Factors are renewed when more iterations than this seem to be left. Renewing costs about as much as so many
-  /// residuals and back substitutions.
+  /// Factors are renewed when more iterations than this seem to be left. Renewing costs about as much as so
+  /// many residuals and back substitutions.
   double patience = 5.0;
 };
 
@@ -116,7 +116,8 @@ template <class Problem>
     if (!std::isfinite(report.increment))
       return end_with(NewtonStatus::diverged);
     const double rate = before > 0.0 ? report.increment / before : 0.0;
-    factors.stale = before > 0.0 && iterations_left(report.increment, rate, limits.tolerance) > limits.patience;
+    factors.stale =
+        before > 0.0 && iterations_left(report.increment, rate, limits.tolerance) > limits.patience;
     if (!fresh && rate > 1.0)
       continue;  // the old factors led astray: do not take this increment
     for (std::size_t i = 0; i < z.size(); ++i)

@@ -2,14 +2,12 @@
 
 #include "block/place.hpp"
 
-#include <utility>
-
 namespace blockfsi::motion
 {
 
 Regenerate::Regenerate(const block::Skeleton& skeleton, const block::Plan& plan,
-                       std::vector<std::int64_t> interface, std::vector<block::Follow> rules)
-    : motion_(skeleton, std::move(interface), std::move(rules)), plan_(&plan), skeleton_x_(skeleton.x.size())
+                       const std::vector<std::int64_t>& interface, const std::vector<block::Follow>& rules)
+    : motion_(skeleton, interface, rules), plan_(&plan), skeleton_x_(skeleton.x.size())
 {
 }
 

@@ -17,8 +17,8 @@ class Regenerate
 public:
   /// `interface`: skeleton numbers of the nodes that the solid moves, ascending; may be empty.
   /// The plan must outlive this object.
-  Regenerate(const block::Skeleton& skeleton, const block::Plan& plan, std::vector<std::int64_t> interface,
-             std::vector<block::Follow> rules);
+  Regenerate(const block::Skeleton& skeleton, const block::Plan& plan,
+             const std::vector<std::int64_t>& interface, const std::vector<block::Follow>& rules);
 
   /// Coordinates of all local nodes for a displacement of the interface. Allocates nothing.
   ///   displacement [m], shape (interface count, 2);  x [m], shape (node_count, 2), written.

@@ -75,6 +75,7 @@ fluid::Solver::Linearisation fluid_linearisation(const output::Arrays& arrays, c
 output::Arrays Simulation::save() const
 {
   output::Arrays arrays;
+  arrays["skeleton"] = skeleton_.x;
   arrays["step"] = std::vector<std::int64_t>{step_, start_step_};
   arrays["time"] = std::vector<double>{time_, start_time_, case_.time.step};
   if (fluid_)
@@ -109,6 +110,8 @@ output::Arrays Simulation::save() const
 
 void Simulation::restore(const output::Arrays& arrays)
 {
+  if (output::get<std::vector<double>>(arrays, "skeleton") != skeleton_.x)
+    throw Error(fmt::format("{}its blocks or divisions are others; start anew without --restart", mismatch));
   using Values = std::vector<double>;
   const Values clock = take(arrays, "time", 3);
   const bool same_steps = clock[2] == case_.time.step;

@@ -40,6 +40,7 @@ Exit make_mesh(const case_file::Case& description, const std::filesystem::path& 
   if (!output.empty())
   {
     std::vector<std::int32_t> proved;
+    proved.reserve(verdicts.size());
     for (const mesh::Verdict verdict : verdicts)
       proved.push_back(verdict == mesh::Verdict::valid ? 1 : 0);
     const std::vector<output::CellField> cells = {{"block", std::span(mesh.cell_block)},

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include <unistd.h>
@@ -60,7 +61,7 @@ std::string duration(double seconds)
 {
   if (seconds < 10.0)
     return fmt::format("{:.1f} s", seconds);
-  const auto whole = static_cast<long>(seconds + 0.5);
+  const auto whole = std::lround(seconds);
   if (whole < 60)
     return fmt::format("{} s", whole);
   if (whole < 3600)

@@ -210,6 +210,7 @@ output::Snapshot Results::write(const mesh::Mesh& mesh, std::span<const double> 
 {
   const Part me = linalg::part();
   std::vector<output::Field> fields;
+  fields.reserve(named.size());
   for (const NamedField& field : named)
     fields.push_back({field.name, field.components, field.values});
   const std::vector<output::CellField> cell_fields = {{"block", std::span(mesh.cell_block)}};
@@ -221,6 +222,7 @@ output::Snapshot Results::write(const mesh::Mesh& mesh, std::span<const double> 
   {
     file = stem + ".pvtu";
     std::vector<std::string> pieces;
+    pieces.reserve(me.size);
     for (int rank = 0; rank < me.size; ++rank)
       pieces.push_back(piece(rank));
     linalg::barrier();

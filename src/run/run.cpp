@@ -103,7 +103,7 @@ void conclude(const Simulation& simulation, const std::filesystem::path& folder)
   say("  fields.pvd   open in ParaView; colour by velocity, press play\n");
   const std::filesystem::path& path = simulation.description().path;
   if (simulation.finished() && std::filesystem::exists(path.parent_path() / "reference.csv"))
-    say("next: blockfsi verify --finished {}\n", path.string());
+    say("next: ./dev verify --finished {} --directory {}\n", path.string(), folder.string());
 }
 
 /// Where a run writes, and the number that tells it from other runs.
@@ -191,6 +191,9 @@ std::filesystem::path result_folder(const case_file::Case& description, const Ru
 
 Exit run(const case_file::Case& description, const RunOptions& options)
 {
+  if (!description.fluid && !description.solid)
+    throw Error({description.path.string()}, "there is nothing to solve: the case has neither [fluid] nor "
+                                             "[solid]; `blockfsi mesh` makes its mesh");
   const std::filesystem::path folder = result_folder(description, options);
   const auto start = std::chrono::steady_clock::now();
   const auto now = linalg::from_first(std::chrono::system_clock::now().time_since_epoch().count());

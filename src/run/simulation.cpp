@@ -27,6 +27,11 @@ std::string explain(std::string_view what, const linalg::NewtonReport& report)
         "Newton's method for the {} needs more than {} iterations (last relative increment {:.2g})", what,
         report.iterations, report.increment);
   case linalg::NewtonStatus::diverged:
+    if (report.iterations == 0)
+      return fmt::format(
+          "the first linear solution for the {} failed: a prescribed value or the state is not finite, "
+          "or an iterative solver did not converge",
+          what);
     return fmt::format(
         "Newton's method for the {} diverged after {} iterations (last relative increment {:.2g})", what,
         report.iterations, report.increment);

@@ -58,7 +58,8 @@ TEST_CASE("uniform cells are equal and the ends exact")
     const std::vector<double> t = parameters(Uniform{}, n, 3.0);
     CHECK(t.size() == n + 1u);
     CHECK(ascends_from_0_to_1(t));
-    CHECK(t[n / 2] == static_cast<double>(n / 2) / n);
+    const int half = n / 2;
+    CHECK(t[half] == static_cast<double>(half) / n);
   }
 }
 

@@ -114,7 +114,8 @@ TEST_CASE("a block with straight, equally divided sides is bilinear to the last 
         for (int i = 0; i <= order; ++i)
         {
           const double u = (c % 3 + xi[i]) / 3.0;
-          const double v = (c / 3 + xi[j]) / 3.0;
+          const auto row = c / 3;
+          const double v = (static_cast<double>(row) + xi[j]) / 3.0;
           const int node = all.mesh.cell(c)[i + j * (order + 1)];
           for (int k = 0; k < 2; ++k)
           {

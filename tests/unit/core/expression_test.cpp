@@ -252,7 +252,7 @@ TEST_CASE("nesting is limited, so that no text can exhaust the stack")
   CHECK(complaint(std::string(100000, '-')).find("nested more than 100 levels deep") != std::string::npos);
   std::string right = "x";
   for (int i = 0; i < 80; ++i)
-    right = "x + (" + right + ")";
+    right.insert(0, "x + (").append(")");
   CHECK(complaint(right).find("more than 64 values wait") != std::string::npos);
 }
 

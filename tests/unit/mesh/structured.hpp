@@ -29,7 +29,9 @@ inline SampleMesh structured(int order, int columns, int rows,
   for (int j = 0; j < height; ++j)
     for (int i = 0; i < width; ++i)
     {
-      const auto [x, y] = map((i / order + line[i % order]) / columns, (j / order + line[j % order]) / rows);
+      const int column = i / order;
+      const int row = j / order;
+      const auto [x, y] = map((column + line[i % order]) / columns, (row + line[j % order]) / rows);
       sample.x.insert(sample.x.end(), {x, y});
       sample.mesh.lattice.push_back(i + j * width);
     }

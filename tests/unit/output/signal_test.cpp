@@ -77,6 +77,7 @@ TEST_CASE("a parabola is read exactly, also from steps of different size")
 {
   const std::vector<double> time = {0.0, 0.3, 0.7, 0.9, 1.6};
   std::vector<double> value;
+  value.reserve(time.size());
   for (const double t : time)
     value.push_back(5.0 - 3.0 * (t - 0.77) * (t - 0.77));
   const output::Extremum greatest = output::find_extrema({time, value}).greatest;
