@@ -22,7 +22,7 @@ int quadrature_points(int order)
   return order + 2;
 }
 
-/// Flow through a side: net in the first component, its size in the second.
+/// Flow through a side in the first component, the speed along it in the second.
 struct Flux
 {
   static constexpr int unknowns = 3;
@@ -32,11 +32,11 @@ struct Flux
   std::array<S, 3> operator()(const fem::SideInput<S, 3, 0>& in) const
   {
     const S outward = in.value[0] * in.normal[0] + in.value[1] * in.normal[1];
-    return {outward, std::abs(outward), S(0.0)};
+    return {outward, std::hypot(in.value[0], in.value[1]), S(0.0)};
   }
 };
 
-/// Net flow through the boundary of an enclosed fluid, relative to what passes it, that counts as none:
+/// Net flow through the boundary of an enclosed fluid, relative to the speed along it, that counts as none:
 /// boundary values are interpolated at the nodes only.
 constexpr double balance_tolerance = 1e-2;
 
@@ -249,7 +249,7 @@ void Solver::check_balance(const fem::TimeStep& step, const MeshMotion& motion, 
         fmt::format(
             "all boundaries of the fluid prescribe the velocity, but at t = {:g} s {:.3g} m^2/s more {} "
             "than {}; give one boundary outflow or traction",
-            step.t + step.step, std::abs(sums[0]), sums[0] < 0.0 ? "flow in" : "flow out",
+            step.t + step.step, std::abs(sums[0]), sums[0] < 0.0 ? "flows in" : "flows out",
             sums[0] < 0.0 ? "out" : "in"));
 }
 

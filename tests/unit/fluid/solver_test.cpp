@@ -173,6 +173,23 @@ TEST_CASE("the body force acts where the nodes are, not where they were")
     CHECK(z[3 * i + 2] - z[2] == doctest::Approx(x[2 * i] * x[2 * i] - 1.0).epsilon(1e-9));
 }
 
+TEST_CASE(
+    "an enclosed flow whose prescribed velocities do not balance is refused, one along its walls is not")
+{
+  Square square(2);
+  fluid::Parameters parameters = closed_box();
+  const std::vector<double> w = square.zero();
+  const auto solve = [&](const Expression& along, const Expression& across)
+  {
+    parameters.boundaries[3].condition = fluid::Velocity{{along, across, 0.0}};
+    fluid::Solver solver(parameters, square.sample.mesh, square.numbering, square.sample.x, square.timings);
+    std::vector<double> z(3 * square.count(), 0.0);
+    return solver.solve({0.0, 0.2, 1.0, 1.0}, solver.initial(), {square.sample.x, w}, z).status;
+  };
+  CHECK(solve(1.0, 0.0) == linalg::NewtonStatus::converged);
+  CHECK_THROWS_WITH_AS(solve(0.0, 1.0), doctest::Contains("more flows out than in"), Error);
+}
+
 TEST_CASE("the velocity of a step is that at its time, and its end follows from both ends")
 {
   Square square(2);
