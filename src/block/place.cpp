@@ -41,4 +41,11 @@ void place(const Plan& plan, std::span<const double> skeleton_x, std::span<doubl
     place_inner(inner, skeleton_x.data(), x.data());
 }
 
+std::vector<double> initial_nodes(const Connected& connected, const Skeleton& skeleton)
+{
+  std::vector<double> x(connected.mesh.node_count() * skeleton.dim);
+  place(connected.plan, skeleton.x, x);
+  return x;
+}
+
 }  // namespace blockfsi::block

@@ -3,6 +3,7 @@
 #include "block/connect.hpp"
 
 #include <span>
+#include <vector>
 
 namespace blockfsi::block
 {
@@ -11,5 +12,8 @@ namespace blockfsi::block
 /// with graded coordinates: linear in the skeleton. Allocates nothing.
 ///   skeleton_x [m], shape (skeleton.count, dim);  x [m], shape (node_count, dim), written.
 void place(const Plan& plan, std::span<const double> skeleton_x, std::span<double> x);
+
+/// Coordinates of all local nodes of the first mesh [m], shape (node_count, dim).
+std::vector<double> initial_nodes(const Connected& connected, const Skeleton& skeleton);
 
 }  // namespace blockfsi::block

@@ -1,6 +1,7 @@
 #include "fluid/solver.hpp"
 
 #include "fem/boundary.hpp"
+#include "fem/nodal.hpp"
 #include "fluid/flow.hpp"
 #include "linalg/communicator.hpp"
 
@@ -15,12 +16,6 @@ namespace blockfsi::fluid
 
 namespace
 {
-
-/// Gauss points along each direction: exact for the convective term on straight cells up to order 3.
-int quadrature_points(int order)
-{
-  return order + 2;
-}
 
 /// Flow through a side in the first component, the speed along it in the second.
 struct Flux
@@ -181,8 +176,8 @@ struct Solver::Problem
 Solver::Solver(const Parameters& parameters, const mesh::Mesh& mesh, const linalg::Numbering& numbering,
                std::span<const double> x, Timings& timings)
     : parameters_(parameters), mesh_(&mesh), numbering_(&numbering), timings_(&timings),
-      x0_(x.begin(), x.end()), cells_(mesh, quadrature_points(mesh.order)),
-      sides_(mesh, quadrature_points(mesh.order)),
+      x0_(x.begin(), x.end()), cells_(mesh, fem::quadrature_points(mesh.order)),
+      sides_(mesh, fem::quadrature_points(mesh.order)),
       conditions_(find_conditions(parameters, mesh, numbering, x)), body_force_(2 * mesh.node_count(), 0.0),
       system_(numbering, 3, mesh.cells, mesh.nodes_per_cell(), fixed_everywhere(conditions_, mesh, numbering),
               "fluid_")
@@ -194,9 +189,7 @@ State Solver::initial() const
   const std::size_t count = mesh_->node_count();
   State state;
   state.u.resize(2 * count);
-  for (std::size_t node = 0; node < count; ++node)
-    for (int c = 0; c < 2; ++c)
-      state.u[2 * node + c] = parameters_.initial_velocity[c](x0_[2 * node], x0_[2 * node + 1]);
+  fem::evaluate_at_nodes(parameters_.initial_velocity, x0_, 0.0, state.u);
   state.change.assign(2 * count, 0.0);
   state.p.assign(count, 0.0);
   state.p_before.assign(count, 0.0);
@@ -255,13 +248,7 @@ void Solver::check_balance(const fem::TimeStep& step, const MeshMotion& motion, 
 
 void Solver::compute_body_force(const fem::TimeStep& step, std::span<const double> x)
 {
-  const double t = step.t + step.theta * step.step;
-  for (int c = 0; c < 2; ++c)
-  {
-    const Expression& force = parameters_.body_force[c];
-    for (std::size_t node = 0; node < mesh_->node_count(); ++node)
-      body_force_[2 * node + c] = force(x[2 * node], x[2 * node + 1], 0.0, t);
-  }
+  fem::evaluate_at_nodes(parameters_.body_force, x, step.t + step.theta * step.step, body_force_);
 }
 
 linalg::NewtonReport Solver::solve(const fem::TimeStep& step, const State& old, const MeshMotion& motion,
@@ -317,16 +304,15 @@ State Solver::finish(const fem::TimeStep& step, const State& old, std::span<cons
 
 void Solver::restore(const Linearisation& linearisation)
 {
-  linearisation_ = linearisation;
   factors_.stale = linearisation.stale || linearisation.z.empty();
-  if (factors_.stale)
-    return;
-  compute_body_force(linearisation.step, linearisation_.x);
-  Problem problem{*this, linearisation.step, linearisation_.u_old, {linearisation_.x, linearisation_.w}};
-  problem.tangent(linearisation_.z, system_.cell_matrices());
-  system_.assemble();
-  if (system_.factorise() != linalg::Status::ok)
-    factors_.stale = true;
+  if (!factors_.stale)
+  {
+    compute_body_force(linearisation.step, linearisation.x);
+    Problem problem{*this, linearisation.step, linearisation.u_old, {linearisation.x, linearisation.w}};
+    factors_.stale = !linalg::renew(system_, factors_, problem, linearisation.z, *timings_);
+  }
+  linearisation_ = linearisation;
+  linearisation_.stale = factors_.stale;
 }
 
 }  // namespace blockfsi::fluid

@@ -85,12 +85,8 @@ output::Arrays Simulation::save() const
   }
   if (solid_)
   {
-    const solid::Solver::Linearisation& kept = solid_->solver().linearisation();
     arrays["solid.d"] = solid_->state().d;
     arrays["solid.v"] = solid_->state().v;
-    arrays["solid.linearisation"] =
-        std::vector<double>{kept.stale ? 1.0 : 0.0, kept.inertia, kept.stress_weight};
-    arrays["solid.linearisation.d"] = kept.d;
   }
   if (acceleration_)
   {
@@ -144,9 +140,6 @@ void Simulation::restore(const output::Arrays& arrays)
   {
     const std::size_t size = 2 * solid_->mesh().node_count();
     solid_->restore({take(arrays, "solid.d", size), take(arrays, "solid.v", size), time_});
-    const Values kept = take(arrays, "solid.linearisation", 3);
-    solid_->solver().restore(
-        {kept[0] != 0.0, kept[1], kept[2], output::get<Values>(arrays, "solid.linearisation.d")});
   }
 }
 

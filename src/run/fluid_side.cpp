@@ -1,5 +1,6 @@
 #include "run/fluid_side.hpp"
 
+#include "block/place.hpp"
 #include "linalg/communicator.hpp"
 #include "motion/velocity.hpp"
 #include "run/combine.hpp"
@@ -9,31 +10,19 @@
 namespace blockfsi::run
 {
 
-namespace
-{
-
-std::vector<double> first_nodes(motion::Regenerate& motion, std::size_t interface_count,
-                                std::size_t node_count)
-{
-  std::vector<double> x(2 * node_count);
-  motion.follow(std::vector<double>(2 * interface_count, 0.0), x);
-  return x;
-}
-
-}  // namespace
-
 FluidSide::FluidSide(const block::Layout& layout, const block::Skeleton& skeleton,
                      const fluid::Parameters& parameters, const std::vector<std::int64_t>& interface,
                      const std::vector<block::Follow>& follows, Timings& timings)
     : timings_(&timings), connected_(block::connect(layout, skeleton, parameters.region, linalg::part())),
       numbering_(connected_.mesh.lattice, connected_.mesh.owner), interface_(interface, connected_.mesh),
-      motion_(skeleton, connected_.plan, interface, follows),
-      x_(first_nodes(motion_, interface.size(), connected_.mesh.node_count())), x_new_(x_), x_geometry_(x_),
-      w_(x_.size(), 0.0), solver_(parameters, connected_.mesh, numbering_, x_, timings),
-      state_(solver_.initial()), z_(3 * connected_.mesh.node_count(), 0.0), reaction_(z_.size(), 0.0),
-      quality_tables_(layout.order), validity_tables_(layout.order),
+      motion_(skeleton, connected_.plan, interface, follows), x_(block::initial_nodes(connected_, skeleton)),
+      x_new_(x_), x_geometry_(x_), w_(x_.size(), 0.0),
+      solver_(parameters, connected_.mesh, numbering_, x_, timings), state_(solver_.initial()),
+      z_(3 * connected_.mesh.node_count(), 0.0), reaction_(z_.size(), 0.0), quality_tables_(layout.order),
+      validity_tables_(layout.order),
       first_jacobian_(mesh::sample_jacobian(quality_tables_, connected_.mesh, x_))
 {
+  measure();
 }
 
 void FluidSide::begin(const fem::TimeStep& step)
@@ -50,7 +39,8 @@ bool FluidSide::move(std::span<const double> displacement)
     motion::mesh_velocity(step_, x_, x_new_, x_geometry_, w_);
   }
   reaction_known_ = false;
-  return quality().scaled_jacobian > 0.0;
+  measure();
+  return quality_.scaled_jacobian > 0.0;
 }
 
 linalg::NewtonReport FluidSide::solve()
@@ -76,10 +66,10 @@ void FluidSide::accept()
   x_ = x_new_;
 }
 
-mesh::Quality FluidSide::quality() const
+void FluidSide::measure()
 {
   const Stopwatch watch(*timings_, Task::quality);
-  return combine(mesh::measure(quality_tables_, connected_.mesh, x_new_, first_jacobian_));
+  quality_ = combine(mesh::measure(quality_tables_, connected_.mesh, x_new_, first_jacobian_));
 }
 
 mesh::Validity FluidSide::certify() const
@@ -93,6 +83,7 @@ void FluidSide::restore(fluid::State state, std::span<const double> displacement
   state_ = std::move(state);
   motion_.follow(displacement, x_);
   x_new_ = x_;
+  measure();
 }
 
 }  // namespace blockfsi::run

@@ -54,7 +54,7 @@ public:
   double reaction_time() const { return reaction_time_; }
 
   /// Quality over all processes of the mesh as last moved, and of the accepted one with proof.
-  mesh::Quality quality() const;
+  const mesh::Quality& quality() const { return quality_; }
   mesh::Validity certify() const;
 
   fluid::Solver& solver() { return solver_; }
@@ -64,6 +64,7 @@ public:
   void restore(fluid::State state, std::span<const double> displacement);
 
 private:
+  void measure();
   fluid::MeshMotion mesh_motion() const { return {x_geometry_, w_}; }
 
   Timings* timings_;
@@ -85,6 +86,7 @@ private:
   mesh::QualityTables quality_tables_;
   mesh::ValidityTables validity_tables_;
   std::vector<double> first_jacobian_;
+  mesh::Quality quality_;
 };
 
 }  // namespace blockfsi::run

@@ -23,8 +23,7 @@ Exit make_mesh(const case_file::Case& description, const std::filesystem::path& 
   const block::Skeleton skeleton = block::make_skeleton(description.layout);
   const block::Connected connected = block::connect(description.layout, skeleton, "", Part{});
   const mesh::Mesh& mesh = connected.mesh;
-  std::vector<double> x(2 * mesh.node_count());
-  block::place(connected.plan, skeleton.x, x);
+  const std::vector<double> x = block::initial_nodes(connected, skeleton);
   const std::chrono::duration<double> made = std::chrono::steady_clock::now() - start;
 
   const mesh::Quality quality = mesh::measure(mesh::QualityTables(mesh.order), mesh, x);

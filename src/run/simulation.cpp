@@ -203,23 +203,22 @@ bool Simulation::evaluate(std::span<const double> d, std::span<double> answer, S
 
 bool Simulation::solve_fluid(StepReport& report)
 {
-  const linalg::NewtonReport solved = fluid_->solve();
-  report.fluid_iterations += solved.iterations;
-  report.renewals += solved.renewals;
-  if (solved.status == linalg::NewtonStatus::converged)
-    return true;
-  report.failure = explain("flow", solved) + " " + when();
-  return false;
+  return account("flow", fluid_->solve(), report.fluid_iterations, report);
 }
 
 bool Simulation::solve_solid(std::span<const double> load, StepReport& report)
 {
-  const linalg::NewtonReport solved = solid_->solve(load);
-  report.solid_iterations += solved.iterations;
+  return account("solid", solid_->solve(load), report.solid_iterations, report);
+}
+
+bool Simulation::account(std::string_view what, const linalg::NewtonReport& solved, int& iterations,
+                         StepReport& report) const
+{
+  iterations += solved.iterations;
   report.renewals += solved.renewals;
   if (solved.status == linalg::NewtonStatus::converged)
     return true;
-  report.failure = explain("solid", solved) + " " + when();
+  report.failure = explain(what, solved) + " " + when();
   return false;
 }
 

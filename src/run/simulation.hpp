@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace blockfsi::run
@@ -64,6 +65,8 @@ private:
   bool evaluate(std::span<const double> d, std::span<double> answer, StepReport& report);
   bool solve_fluid(StepReport& report);
   bool solve_solid(std::span<const double> load, StepReport& report);
+  bool account(std::string_view what, const linalg::NewtonReport& solved, int& iterations,
+               StepReport& report) const;
   void keep_interface(std::span<const double> d, double step);
   std::vector<block::Follow> rules() const;
   std::string when() const;

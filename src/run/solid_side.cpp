@@ -6,25 +6,14 @@
 namespace blockfsi::run
 {
 
-namespace
-{
-
-std::vector<double> placed(const block::Connected& connected, const block::Skeleton& skeleton)
-{
-  std::vector<double> X(2 * connected.mesh.node_count());
-  block::place(connected.plan, skeleton.x, X);
-  return X;
-}
-
-}  // namespace
-
 SolidSide::SolidSide(const block::Layout& layout, const block::Skeleton& skeleton,
                      const solid::Parameters& parameters, const std::vector<std::int64_t>& interface,
                      Timings& timings)
     : connected_(block::connect(layout, skeleton, parameters.region, linalg::part())),
       numbering_(connected_.mesh.lattice, connected_.mesh.owner), interface_(interface, connected_.mesh),
-      X_(placed(connected_, skeleton)), solver_(parameters, connected_.mesh, numbering_, X_, timings),
-      state_(solver_.initial()), d_(state_.d), load_(state_.d.size(), 0.0)
+      X_(block::initial_nodes(connected_, skeleton)),
+      solver_(parameters, connected_.mesh, numbering_, X_, timings), state_(solver_.initial()), d_(state_.d),
+      load_(state_.d.size(), 0.0)
 {
 }
 

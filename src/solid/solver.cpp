@@ -1,6 +1,7 @@
 #include "solid/solver.hpp"
 
 #include "fem/boundary.hpp"
+#include "fem/nodal.hpp"
 #include "linalg/communicator.hpp"
 
 #include <algorithm>
@@ -11,12 +12,6 @@ namespace blockfsi::solid
 
 namespace
 {
-
-/// Gauss points along each direction: E is quadratic in the gradient, so S : dE has four times the degree.
-int quadrature_points(int order)
-{
-  return order + 2;
-}
 
 /// Dead load on a side.
 struct DeadTraction
@@ -67,12 +62,8 @@ struct Solver::Problem
     solver.cells_.tangent(body, solver.X_, d, fields, matrices);
   }
 
-  void remember(std::span<const double> d) const
-  {
-    solver.linearisation_.inertia = body.inertia;
-    solver.linearisation_.stress_weight = body.stress_weight;
-    solver.linearisation_.d.assign(d.begin(), d.end());
-  }
+  /// Factors do not outlive a solution, so there is nothing to remember.
+  void remember(std::span<const double>) const {}
 
   double size(std::span<const double> increment, std::span<const double> d) const
   {
@@ -130,8 +121,10 @@ std::vector<std::uint8_t> Solver::fixed() const
 Solver::Solver(const Parameters& parameters, const mesh::Mesh& mesh, const linalg::Numbering& numbering,
                std::span<const double> X, Timings& timings)
     : parameters_(parameters), mesh_(&mesh), numbering_(&numbering), timings_(&timings),
-      X_(X.begin(), X.end()), cells_(mesh, quadrature_points(mesh.order)),
-      sides_(mesh, quadrature_points(mesh.order)), prescribed_(find_prescribed(parameters, mesh, numbering)),
+      X_(X.begin(), X.end()), cells_(mesh, fem::quadrature_points(mesh.order)),
+      sides_(mesh, fem::quadrature_points(mesh.order)),
+      prescribed_(find_prescribed(parameters, mesh, numbering)),
+      material_(lame(parameters.young, parameters.poisson, parameters.plane)),
       body_force_(2 * mesh.node_count(), 0.0),
       system_(numbering, 2, mesh.cells, mesh.nodes_per_cell(), fixed(), "solid_")
 {
@@ -152,15 +145,6 @@ void Solver::apply_conditions(double time, double factor, std::span<double> d) c
   }
 }
 
-void Solver::compute_body_force(double time)
-{
-  for (std::size_t i = 0; i < body_force_.size(); ++i)
-  {
-    const double* X = &X_[i - i % 2];
-    body_force_[i] = parameters_.body_force[i % 2](X[0], X[1], 0.0, time);
-  }
-}
-
 void Solver::add_tractions(double time, double factor, std::span<double> residual)
 {
   for (const BoundaryCondition& condition : parameters_.boundaries)
@@ -175,14 +159,12 @@ void Solver::add_tractions(double time, double factor, std::span<double> residua
 linalg::NewtonReport Solver::solve(const Body& body, std::span<const double> origin,
                                    std::span<const double> constant, std::span<double> d)
 {
-  factors_.stale = true;
-  Problem problem{*this, body, origin, constant};
   // A thin body is stiff against stretching and soft against bending: old factors lead far astray when it
-  // turns.
+  // turns, so every solution begins with fresh ones.
+  linalg::Factors factors;
+  Problem problem{*this, body, origin, constant};
   const linalg::NewtonLimits limits{parameters_.newton.tolerance, parameters_.newton.iterations, 2.0};
-  const linalg::NewtonReport report = linalg::newton(limits, system_, factors_, problem, d, *timings_);
-  linearisation_.stale = factors_.stale;
-  return report;
+  return linalg::newton(limits, system_, factors, problem, d, *timings_);
 }
 
 linalg::NewtonReport Solver::advance(const fem::TimeStep& step, const State& old,
@@ -190,7 +172,7 @@ linalg::NewtonReport Solver::advance(const fem::TimeStep& step, const State& old
 {
   const double theta = step.theta;
   const double time = step.t + theta * step.step;
-  compute_body_force(time);
+  fem::evaluate_at_nodes(parameters_.body_force, X_, time, body_force_);
   std::vector<double> origin(old.d.size());
   for (std::size_t i = 0; i < origin.size(); ++i)
     origin[i] = old.d[i] + step.step * old.v[i];
@@ -199,8 +181,7 @@ linalg::NewtonReport Solver::advance(const fem::TimeStep& step, const State& old
   {
     const Stopwatch watch(*timings_, Task::assembly);
     // Internal forces at the start of the step.
-    const Body at_start{lame(parameters_.young, parameters_.poisson, parameters_.plane), 0.0, 0.0,
-                        1.0 - theta};
+    const Body at_start{material_, 0.0, 0.0, 1.0 - theta};
     if (theta < 1.0)
       Problem{*this, at_start, origin, {}}.residual(old.d, constant);
     add_tractions(time, 1.0, constant);
@@ -209,14 +190,14 @@ linalg::NewtonReport Solver::advance(const fem::TimeStep& step, const State& old
         constant[2 * node + c] -= load[2 * node + c];
   }
   apply_conditions(step.t + step.step, 1.0, d);
-  const Body body{lame(parameters_.young, parameters_.poisson, parameters_.plane),
-                  parameters_.density / (theta * step.step * step.step), parameters_.density, theta};
+  const Body body{material_, parameters_.density / (theta * step.step * step.step), parameters_.density,
+                  theta};
   return solve(body, origin, constant, d);
 }
 
 linalg::NewtonReport Solver::solve_static(std::span<const double> load, std::span<double> d)
 {
-  compute_body_force(0.0);
+  fem::evaluate_at_nodes(parameters_.body_force, X_, 0.0, body_force_);
   const bool from_rest =
       !linalg::any(std::any_of(d.begin(), d.end(), [](double value) { return value != 0.0; }));
   const int steps = from_rest ? parameters_.load_steps : 1;
@@ -231,8 +212,7 @@ linalg::NewtonReport Solver::solve_static(std::span<const double> load, std::spa
       for (int c = 0; c < 2; ++c)
         constant[2 * node + c] -= factor * load[2 * node + c];
     apply_conditions(0.0, factor, d);
-    const Body body{lame(parameters_.young, parameters_.poisson, parameters_.plane), 0.0,
-                    factor * parameters_.density, 1.0};
+    const Body body{material_, 0.0, factor * parameters_.density, 1.0};
     const linalg::NewtonReport one = solve(body, origin, constant, d);
     report.status = one.status;
     report.iterations += one.iterations;
@@ -253,20 +233,6 @@ State Solver::finish(const fem::TimeStep& step, const State& old, std::span<cons
     state.v[i] = (d[i] - old.d[i]) / (step.theta * step.step) - (1.0 - step.theta) / step.theta * old.v[i];
   state.time = step.t + step.step;
   return state;
-}
-
-void Solver::restore(const Linearisation& linearisation)
-{
-  linearisation_ = linearisation;
-  factors_.stale = linearisation.stale || linearisation.d.empty();
-  if (factors_.stale)
-    return;
-  const Body body{lame(parameters_.young, parameters_.poisson, parameters_.plane), linearisation_.inertia,
-                  0.0, linearisation_.stress_weight};
-  Problem{*this, body, linearisation_.d, {}}.tangent(linearisation_.d, system_.cell_matrices());
-  system_.assemble();
-  if (system_.factorise() != linalg::Status::ok)
-    factors_.stale = true;
 }
 
 }  // namespace blockfsi::solid

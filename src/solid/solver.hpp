@@ -54,18 +54,6 @@ public:
 
   std::int64_t unknown_count() const { return 2 * numbering_->total_count(); }
 
-  /// What the factors at hand were made from.
-  struct Linearisation
-  {
-    bool stale = true;
-    double inertia = 0.0;
-    double stress_weight = 1.0;
-    std::vector<double> d;
-  };
-  const Linearisation& linearisation() const { return linearisation_; }
-  /// Makes the factors anew from a saved linearisation, bit for bit the same on one process.
-  void restore(const Linearisation& linearisation);
-
 private:
   /// One prescribed displacement component of a node; no expression: zero.
   struct Prescribed
@@ -80,7 +68,6 @@ private:
                                                  const linalg::Numbering& numbering);
   std::vector<std::uint8_t> fixed() const;
   void apply_conditions(double time, double factor, std::span<double> d) const;
-  void compute_body_force(double time);
   void add_tractions(double time, double factor, std::span<double> residual);
   [[nodiscard]] linalg::NewtonReport solve(const Body& body, std::span<const double> origin,
                                            std::span<const double> constant, std::span<double> d);
@@ -93,10 +80,9 @@ private:
   fem::CellLoop cells_;
   fem::SideLoop sides_;
   std::vector<Prescribed> prescribed_;
+  Lame material_;
   std::vector<double> body_force_;
   linalg::System system_;
-  linalg::Factors factors_;
-  Linearisation linearisation_;
 };
 
 }  // namespace blockfsi::solid
