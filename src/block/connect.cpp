@@ -192,6 +192,13 @@ Connected connect(const Layout& layout, const Skeleton& skeleton, std::string_vi
   for (const Run& run : runs)
     add_cells(layout, cells, run, mesh);
   number_nodes(cells, own_rows(cells, runs, skeleton.order), part.size, mesh);
+  mesh.local_node_count = mesh.lattice.size();
+  mesh.runs = {{element::Shape::quadrilateral, 0, static_cast<std::int32_t>(mesh.cell_count()), 0}};
+  for (const Block& block : layout.blocks)
+  {
+    mesh.block_names.push_back(block.name);
+    mesh.block_regions.push_back(block.region);
+  }
   connected.plan = make_plan(skeleton, cells, mesh);
   return connected;
 }

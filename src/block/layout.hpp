@@ -3,6 +3,7 @@
 #include "block/grading.hpp"
 #include "core/error.hpp"
 #include "core/expression.hpp"
+#include "element/shape.hpp"
 #include "geometry/curve.hpp"
 
 #include <array>
@@ -33,14 +34,15 @@ struct Edge
   Location where;
 };
 
-/// A quadrilateral over four points in counter-clockwise order. Side 0 runs from point 0 to 1, side 1 from
-/// 1 to 2, side 2 from 3 to 2, side 3 from 0 to 3: u runs along side 0, v along side 3.
+/// A coarse cell over its corners, which have the order of element::corners: those of a quadrilateral run
+/// counter-clockwise, u along its side 0 (point 0 to 1), v along its side 3 (point 0 to 3).
 struct Block
 {
   std::string name;
   std::string region;
-  std::array<int, 4> points{};
+  std::vector<int> points;  ///< shape (corner_count of the shape)
   Location where;
+  element::Shape shape = element::Shape::quadrilateral;
 };
 
 /// Boundary of all edges whose initial nodes fulfil a condition.

@@ -2,6 +2,8 @@
 
 #include "block/topology.hpp"
 
+#include <algorithm>
+
 namespace blockfsi::block
 {
 
@@ -45,7 +47,7 @@ BlockLattice block_lattice(const Layout& layout, const Skeleton& skeleton, int b
 {
   BlockLattice lattice;
   lattice.order = skeleton.order;
-  lattice.points = layout.blocks[block].points;
+  std::copy_n(layout.blocks[block].points.begin(), 4, lattice.points.begin());
   for (int side = 0; side < 4; ++side)
   {
     lattice.edges[side] = &skeleton.edges[skeleton.block_edges[block][side]];

@@ -47,11 +47,9 @@ const Keys<Quad>& quad_keys()
        {
          if (list(v).size() != 4)
            fail(v, fmt::format("found {}, allowed are four names of points, counter-clockwise", found(v)));
-         for (std::size_t i = 0; i < 4; ++i)
-         {
-           const Value& corner = list(v)[i];
-           q.block.points[i] = placed(corner, [&] { return block::find_point(q.layout, text(corner)); });
-         }
+         for (const Value& corner : list(v))
+           q.block.points.push_back(
+               placed(corner, [&] { return block::find_point(q.layout, text(corner)); }));
        }},
       {{"region", "text", "required", "", "region that the block belongs to"},
        [](const Value& v, Reading&, Quad& q) { q.block.region = text(v); }}};

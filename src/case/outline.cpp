@@ -120,7 +120,7 @@ std::vector<Point> Outline::region_corners(std::string_view region) const
 std::vector<Point> Outline::around(std::size_t block) const
 {
   std::vector<Point> result;
-  const std::array<int, 4>& corners = layout_.blocks[block].points;
+  const std::vector<int>& corners = layout_.blocks[block].points;
   for (std::size_t side = 0; side < 4; ++side)
   {
     const block::PlacedEdge& edge = skeleton_.edges[skeleton_.block_edges[block][side]];

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "element/lattice.hpp"
+#include "element/shape.hpp"
+
 #include <cstdint>
 #include <map>
 #include <span>
@@ -9,8 +12,7 @@
 namespace blockfsi::mesh
 {
 
-/// One side of a cell that lies on a boundary.
-/// Sides of a quadrilateral: 0 at eta = 0, 1 at xi = 1, 2 at eta = 1, 3 at xi = 0.
+/// One side of a cell that lies on a boundary; sides as in element::sides.
 struct Side
 {
   std::int32_t cell = 0;
@@ -19,27 +21,49 @@ struct Side
   bool operator==(const Side&) const = default;
 };
 
-/// Connectivity of one process's share of a mesh of quadrilaterals of one order.
+/// Consecutive cells of one shape.
+struct CellRun
+{
+  element::Shape shape = element::Shape::quadrilateral;
+  std::int32_t first = 0;  ///< its first cell
+  std::int32_t count = 0;  ///< number of its cells
+  std::int64_t entry = 0;  ///< where the nodes of its first cell begin in Mesh::cells
+
+  bool operator==(const CellRun&) const = default;
+};
+
+/// Connectivity of one process's share of a mesh of cells of one order.
 ///
 /// It holds the cells that the process owns and every node of these cells. Coordinates are kept apart, as
 /// x [m], shape (node_count, dim), because they change in every coupling iteration and the connectivity never
-/// does. The reference cell is the unit square; node (i, j) of a cell, 0 <= i, j <= order, is entry
-/// i + j (order + 1) of its row and sits at the Gauss-Lobatto-Legendre points (xi_i, eta_j).
+/// does. Cells of all shapes of one dimension may be mixed; those of one shape follow each other in a run.
+/// The nodes of a cell follow the lattice of its shape (element/lattice.hpp) and sit at the reference points
+/// element::nodes(shape, order), Gauss-Lobatto-Legendre points on its edges: node (i, j) of a quadrilateral
+/// is entry i + j (order + 1) of its row.
 struct Mesh
 {
   int dim = 2;
   int order = 1;
 
-  /// Local nodes of each cell, shape (cell_count, (order + 1)^2).
+  /// Local nodes of each cell, run after run.
   std::vector<std::int32_t> cells;
+  /// One entry per shape that occurs, at most one per shape; cells are numbered through the runs.
+  std::vector<CellRun> runs;
   /// Block that each cell comes from, shape (cell_count).
   std::vector<std::int32_t> cell_block;
-  /// Number of each cell in the whole mesh, shape (cell_count).
+  /// Name and region of each block, shape (number of blocks).
+  std::vector<std::string> block_names;
+  std::vector<std::string> block_regions;
+  /// Number of each cell in the whole mesh, shape (cell_count); empty: cell c has number c.
   std::vector<std::int64_t> cell_number;
-  /// Number of each node in the lattice of all blocks of the layout, shape (node_count), ascending.
-  /// Meshes of different regions of one layout share these numbers on their common boundary.
+  /// Number of nodes that the process holds.
+  std::size_t local_node_count = 0;
+  /// Number of each node in the lattice of all blocks of the layout, shape (node_count), ascending; empty:
+  /// node n has number n. Meshes of different regions of one layout share these numbers on their common
+  /// boundary.
   std::vector<std::int64_t> lattice;
-  /// Process that owns each node, shape (node_count): the lowest one that has a cell at the node.
+  /// Process that owns each node, shape (node_count): the lowest one that has a cell at the node; empty: all
+  /// are owned by process 0.
   std::vector<std::int32_t> owner;
   /// Sides of own cells on each named boundary; a name with no side on this process has an empty list.
   std::map<std::string, std::vector<Side>, std::less<>> boundaries;
@@ -48,17 +72,38 @@ struct Mesh
   std::int64_t total_node_count = 0;
   std::int64_t total_cell_count = 0;
 
-  int nodes_per_cell() const { return (order + 1) * (order + 1); }
   std::size_t cell_count() const { return cell_block.size(); }
-  std::size_t node_count() const { return lattice.size(); }
+  std::size_t node_count() const { return local_node_count; }
+  /// The run of a cell.
+  const CellRun& run(std::size_t c) const
+  {
+    std::size_t r = 0;
+    while (c >= static_cast<std::size_t>(runs[r].first) + runs[r].count)
+      ++r;
+    return runs[r];
+  }
+  element::Shape shape(std::size_t c) const { return run(c).shape; }
+  /// Nodes of a cell.
   std::span<const std::int32_t> cell(std::size_t c) const
   {
-    const auto n = static_cast<std::size_t>(nodes_per_cell());
-    return std::span(cells).subspan(c * n, n);
+    const CellRun& of = run(c);
+    const auto n = static_cast<std::size_t>(element::lattice_size(of.shape, order));
+    return std::span(cells).subspan(of.entry + (c - of.first) * n, n);
   }
+  std::int64_t number_of_cell(std::size_t c) const
+  {
+    return cell_number.empty() ? static_cast<std::int64_t>(c) : cell_number[c];
+  }
+  /// Whether all cells are of this shape; true for a mesh without cells.
+  bool is_all(element::Shape shape) const
+  {
+    return runs.empty() || (runs.size() == 1 && runs[0].shape == shape);
+  }
+  /// Nodes of each cell of a mesh of quadrilaterals.
+  int nodes_per_cell() const { return (order + 1) * (order + 1); }
 };
 
-/// Position within a cell's row of node k (0..order) of a side, counted along increasing xi or eta.
+/// Position within a quadrilateral's row of node k (0..order) of a side, counted along increasing xi or eta.
 int side_node(int order, int side, int k);
 
 }  // namespace blockfsi::mesh

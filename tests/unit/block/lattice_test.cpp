@@ -80,8 +80,8 @@ TEST_CASE("a drawing becomes points, blocks in counter-clockwise order and numbe
   CHECK_THROWS_AS(find_point(layout, "l x3 y3"), Error);
   CHECK(layout.blocks[2].name == "block (2, 0) of l");
   CHECK(layout.blocks[2].region == "b");
-  const std::array<int, 4> corners{find_point(layout, "x2 y1"), find_point(layout, "x3 y1"),
-                                   find_point(layout, "x3 y0"), find_point(layout, "x2 y0")};
+  const std::vector<int> corners{find_point(layout, "x2 y1"), find_point(layout, "x3 y1"),
+                                 find_point(layout, "x3 y0"), find_point(layout, "x2 y0")};
   CHECK(layout.blocks[2].points == corners);
   const auto of_hole = [&layout](int number)
   {

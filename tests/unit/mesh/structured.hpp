@@ -35,6 +35,8 @@ inline SampleMesh structured(int order, int columns, int rows,
       sample.x.insert(sample.x.end(), {x, y});
       sample.mesh.lattice.push_back(i + j * width);
     }
+  sample.mesh.local_node_count = sample.mesh.lattice.size();
+  sample.mesh.runs = {{blockfsi::element::Shape::quadrilateral, 0, columns * rows, 0}};
   sample.mesh.owner.assign(sample.mesh.lattice.size(), 0);
   for (int c = 0; c < columns * rows; ++c)
   {
