@@ -28,7 +28,7 @@ Layout two_blocks(int first_corner, bool from_below, int order)
   const std::array<int, 4> right{1, 2, 5, 4};
   Block turned{"right", "solid", {}, {}};
   for (int c = 0; c < 4; ++c)
-    turned.points[c] = right[(c + first_corner) % 4];
+    turned.points.push_back(right[(c + first_corner) % 4]);
   layout.blocks.push_back(turned);
   Edge& edge = add_edge(layout, from_below ? 1 : 4, from_below ? 4 : 1);
   edge.curve = geometry::Through{{{1.2, from_below ? 0.4 : 0.6, 0.0}}};

@@ -17,7 +17,8 @@ using namespace blockfsi;
 namespace
 {
 
-const std::filesystem::path everything = std::filesystem::path(__FILE__).parent_path() / "everything.toml";
+const std::filesystem::path everything =
+    std::filesystem::path(BLOCKFSI_TESTS_FOLDER) / "unit" / "case" / "everything.toml";
 
 /// What cannot stand in one file with everything else.
 const std::vector<std::vector<std::string>> variations = {

@@ -16,8 +16,7 @@ using namespace blockfsi;
 namespace
 {
 
-const std::filesystem::path folder =
-    std::filesystem::path(__FILE__).parent_path() / ".." / ".." / "cases" / "malformed";
+const std::filesystem::path folder = std::filesystem::path(BLOCKFSI_TESTS_FOLDER) / "cases" / "malformed";
 
 std::vector<std::filesystem::path> case_files()
 {

@@ -14,7 +14,7 @@ using namespace blockfsi;
 namespace
 {
 
-const std::filesystem::path folder = std::filesystem::path(__FILE__).parent_path();
+const std::filesystem::path folder = std::filesystem::path(BLOCKFSI_TESTS_FOLDER) / "unit" / "case";
 const std::filesystem::path wall_ramm = folder / "wall_ramm.toml";
 const std::filesystem::path everything = folder / "everything.toml";
 
