@@ -21,6 +21,7 @@ endif()
 
 # External libraries per layer.
 set(needs_core fmt::fmt)
+set(needs_element Eigen3::Eigen)
 set(needs_mesh Eigen3::Eigen)
 set(needs_block Eigen3::Eigen)
 set(needs_output ZLIB::ZLIB)
