@@ -82,6 +82,8 @@ SampleMesh half(const SampleMesh& whole, int rank)
     }
     node = local[node];
   }
+  result.mesh.runs.front().count = static_cast<std::int32_t>(cells);
+  result.mesh.local_node_count = result.mesh.lattice.size();
   return result;
 }
 
