@@ -25,27 +25,6 @@ struct Overloaded : Functions...
 template <typename... Functions>
 Overloaded(Functions...) -> Overloaded<Functions...>;
 
-Point subtract(const Point& a, const Point& b)
-{
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-/// s a + t b
-Point combine(double s, const Point& a, double t, const Point& b)
-{
-  return {s * a[0] + t * b[0], s * a[1] + t * b[1], s * a[2] + t * b[2]};
-}
-
-double norm(const Point& a)
-{
-  return std::hypot(a[0], a[1], a[2]);
-}
-
-double distance(const Point& a, const Point& b)
-{
-  return norm(subtract(a, b));
-}
-
 std::string text(const Point& p)
 {
   return p[2] == 0.0 ? fmt::format("({:.9g}, {:.9g})", p[0], p[1])
@@ -57,8 +36,7 @@ double opening_angle(const Point& center, const Point& a, const Point& b)
 {
   const Point r = subtract(a, center);
   const Point s = subtract(b, center);
-  const Point cross{r[1] * s[2] - r[2] * s[1], r[2] * s[0] - r[0] * s[2], r[0] * s[1] - r[1] * s[0]};
-  return std::atan2(norm(cross), r[0] * s[0] + r[1] * s[1] + r[2] * s[2]);
+  return std::atan2(norm(cross(r, s)), dot(r, s));
 }
 
 /// Start, inner points, end.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/expression.hpp"
+#include "geometry/point.hpp"
 
 #include <array>
 #include <variant>
@@ -8,8 +9,6 @@
 
 namespace blockfsi::geometry
 {
-
-using Point = std::array<double, 3>;
 
 /// The straight line between the end points.
 struct Segment
