@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <span>
@@ -34,6 +35,22 @@ public:
 
   /// The value at one point and time. Division by zero and the like give inf or nan as IEEE says.
   double operator()(double x, double y = 0.0, double z = 0.0, double t = 0.0) const;
+
+  /// A value with its derivatives by x, y, z and t.
+  struct Derivatives
+  {
+    double value = 0.0;
+    std::array<double, 4> by{};
+  };
+  /// Value and exact derivatives (forward differentiation). At a kink or a jump they are those of the branch
+  /// that gives the value.
+  Derivatives derivatives(double x, double y = 0.0, double z = 0.0, double t = 0.0) const;
+
+  /// Values at many points, shape (points.size()), faster than one by one.
+  void evaluate(std::span<const std::array<double, 3>> points, double t, std::span<double> values) const;
+  /// Values and gradients by x, y, z at many points, shape (points.size()) both.
+  void evaluate(std::span<const std::array<double, 3>> points, double t, std::span<double> values,
+                std::span<std::array<double, 3>> gradients) const;
 
   /// True if none of x, y, z, t occurs.
   bool is_constant() const;

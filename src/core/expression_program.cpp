@@ -41,6 +41,8 @@ double larger(double a, double b)
   return std::isnan(a) || a > b ? a : b;
 }
 
+}  // namespace
+
 double unary(Operation operation, double a)
 {
   switch (operation)
@@ -95,7 +97,7 @@ double binary(Operation operation, double a, double b, double tolerance)
   case Operation::divide:
     return a / b;
   case Operation::power:
-    return std::pow(a, b);
+    return b == 2.0 ? a * a : std::pow(a, b);  // squares are common, and as exact
   case Operation::equal:
     return equal(a, b, tolerance);
   case Operation::differ:
@@ -119,13 +121,10 @@ double binary(Operation operation, double a, double b, double tolerance)
   }
 }
 
-/// A condition that is nan chooses neither branch.
 double select(double condition, double a, double b)
 {
   return std::isnan(condition) ? condition : (condition != 0.0 ? a : b);
 }
-
-}  // namespace
 
 double evaluate(std::span<const Instruction> code, const std::array<double, 4>& at, double tolerance)
 {

@@ -77,4 +77,10 @@ struct Program
 /// <= is "less or equal" in that sense. Allocates nothing.
 double evaluate(std::span<const Instruction> code, const std::array<double, 4>& at, double tolerance);
 
+/// The single operations of which `evaluate` is made, by their number of arguments.
+double unary(Operation operation, double a);
+double binary(Operation operation, double a, double b, double tolerance);
+/// `a` if the condition holds, else `b`; a condition that is nan chooses neither.
+double select(double condition, double a, double b);
+
 }  // namespace blockfsi::expression
