@@ -30,7 +30,8 @@ public:
   /// The constant value.
   Expression(double value);  // NOLINT: a number is an expression
   /// Throws Error (without a place) saying the column within the text, what was found, what is allowed.
-  /// `variables` lists which of "x", "y", "z", "t" may occur.
+  /// `variables` lists which of "x", "y", "z", "t" may occur, or "u", "v" for the parameters of a surface,
+  /// which are then given as x and y.
   Expression(std::string_view text, const Constants& constants, std::span<const std::string_view> variables);
 
   /// The value at one point and time. Division by zero and the like give inf or nan as IEEE says.

@@ -40,7 +40,8 @@ constexpr std::array functions = {
     Function{"step", Operation::step, 1},     Function{"if", Operation::select, 3},
     Function{"ramp", Operation::ramp, 2}};
 
-constexpr std::array<std::string_view, 4> variable_names = {"x", "y", "z", "t"};
+/// A surface's u and v are the first and the second argument, as x and y are.
+constexpr std::array<std::string_view, 6> variable_names = {"x", "y", "z", "t", "u", "v"};
 
 /// Deeper nesting than any person writes; keeps hostile texts from exhausting the stack of the process.
 constexpr int largest_depth = 100;
@@ -269,7 +270,7 @@ private:
         variable != variables_.end())
     {
       const auto index = static_cast<std::size_t>(
-          std::find(variable_names.begin(), variable_names.end(), token.text) - variable_names.begin());
+          (std::find(variable_names.begin(), variable_names.end(), token.text) - variable_names.begin()) % 4);
       program_.uses[index] = true;
       push({static_cast<Operation>(static_cast<std::size_t>(Operation::x) + index)});
     }

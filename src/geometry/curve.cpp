@@ -25,12 +25,6 @@ struct Overloaded : Functions...
 template <typename... Functions>
 Overloaded(Functions...) -> Overloaded<Functions...>;
 
-std::string text(const Point& p)
-{
-  return p[2] == 0.0 ? fmt::format("({:.9g}, {:.9g})", p[0], p[1])
-                     : fmt::format("({:.9g}, {:.9g}, {:.9g})", p[0], p[1], p[2]);
-}
-
 /// Angle at `center` between a and b, 0..pi; atan2 is accurate for small and for flat angles.
 double opening_angle(const Point& center, const Point& a, const Point& b)
 {

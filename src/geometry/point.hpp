@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <string>
 
 namespace blockfsi::geometry
 {
@@ -18,6 +19,12 @@ inline Point combine(double s, const Point& a, double t, const Point& b)
 inline Point add(const Point& a, const Point& b)
 {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+/// a + s b
+inline Point add_scaled(const Point& a, double s, const Point& b)
+{
+  return {a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]};
 }
 
 inline Point subtract(const Point& a, const Point& b)
@@ -50,5 +57,13 @@ inline double distance(const Point& a, const Point& b)
 {
   return norm(subtract(a, b));
 }
+
+inline bool is_finite(const Point& a)
+{
+  return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
+}
+
+/// "(x, y)" in the plane, else "(x, y, z)", for messages.
+std::string text(const Point& p);
 
 }  // namespace blockfsi::geometry

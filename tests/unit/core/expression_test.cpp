@@ -289,3 +289,11 @@ TEST_CASE("a condition that is a number or mixes numbers with logic is refused")
   CHECK(condition_complaint("t = 0") ==
         "column 1 of \"t = 0\": 't' may not occur here; allowed are x, y, z, U, height, pi");
 }
+
+TEST_CASE("a surface's u and v are the first and the second argument")
+{
+  const std::vector<std::string_view> on_surface{"u", "v"};
+  CHECK(Expression("u - 3 * v", {}, on_surface)(5.0, 1.0) == 2.0);
+  CHECK_FALSE(Expression("u - 3 * v", {}, on_surface).is_constant());
+  CHECK_THROWS_AS(Expression("u", {}, std::vector<std::string_view>{"x", "y"}), Error);
+}
