@@ -170,7 +170,8 @@ void check(const Curve& curve, const Point& a, const Point& b)
     throw Error(fmt::format("the edge starts and ends at {}; an edge needs two different ends", text(a)));
   std::visit(Overloaded{[](const Segment&) {}, [&](const Arc& arc) { check_arc(arc, a, b); },
                         [&](const Through& through) { check_through(through, a, b); },
-                        [&](const Formula& formula) { check_formula(formula, a, b); }},
+                        [&](const Formula& formula) { check_formula(formula, a, b); },
+                        [&](const OnLevelSet& on_level_set) { check(on_level_set, a, b); }},
              curve);
 }
 
@@ -183,7 +184,9 @@ Point evaluate(const Curve& curve, const Point& a, const Point& b, double t)
   return std::visit(Overloaded{[&](const Segment&) { return combine(1.0 - t, a, t, b); },
                                [&](const Arc& arc) { return evaluate_arc(arc, a, b, t); },
                                [&](const Through& through) { return evaluate_through(through, a, b, t); },
-                               [&](const Formula& formula) { return evaluate_formula(formula, t); }},
+                               [&](const Formula& formula) { return evaluate_formula(formula, t); },
+                               [&](const OnLevelSet& on_level_set)
+                               { return evaluate(on_level_set, a, b, t); }},
                     curve);
 }
 
@@ -193,6 +196,8 @@ double length(const Curve& curve, const Point& a, const Point& b)
     return distance(a, b);
   if (const auto* arc = std::get_if<Arc>(&curve))
     return distance(a, arc->center) * opening_angle(arc->center, a, b);
+  if (const auto* on_level_set = std::get_if<OnLevelSet>(&curve))
+    return (on_level_set->lengths ? *on_level_set : measured(*on_level_set, a, b)).lengths->length();
   return extrapolated_length(curve, a, b);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/expression.hpp"
+#include "geometry/on_level_set.hpp"
 #include "geometry/point.hpp"
 
 #include <array>
@@ -37,7 +38,7 @@ struct Formula
 };
 
 /// The geometry of an edge.
-using Curve = std::variant<Segment, Arc, Through, Formula>;
+using Curve = std::variant<Segment, Arc, Through, Formula, OnLevelSet>;
 
 /// Throws Error if the curve does not fit between a and b.
 void check(const Curve& curve, const Point& a, const Point& b);

@@ -51,7 +51,7 @@ struct Line
   Point unit;
   int evaluations = 0;
 
-  Point at(double s) const { return combine(1.0, start, s, unit); }
+  Point at(double s) const { return add_scaled(start, s, unit); }
   double value(double s)
   {
     ++evaluations;
@@ -179,7 +179,7 @@ Level level_in_plane(const LevelSet& surface, const Point& x, const std::optiona
 {
   Level level = surface(x);
   if (normal)
-    level.gradient = combine(1.0, level.gradient, -dot(level.gradient, *normal), *normal);
+    level.gradient = add_scaled(level.gradient, -dot(level.gradient, *normal), *normal);
   return level;
 }
 
@@ -306,7 +306,7 @@ Found project(const LevelSet& a, const LevelSet& b, const Point& start, const Se
     {
       if (share * length < 0.1 * tolerance || !std::isfinite(length))
         return failure(SearchStatus::no_progress, start, evaluations);
-      next = combine(1.0, x, share, *step);
+      next = add_scaled(x, share, *step);
       level_a = level_in_plane(a, next, normal);
       level_b = level_in_plane(b, next, normal);
       evaluations += 2;
