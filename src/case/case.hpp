@@ -1,17 +1,18 @@
 #pragma once
 
 #include "block/layout.hpp"
+#include "block/move.hpp"
 #include "coupling/parameters.hpp"
 #include "fem/time.hpp"
 #include "fluid/parameters.hpp"
+#include "motion/parameters.hpp"
 #include "output/parameters.hpp"
 #include "solid/parameters.hpp"
-
-#include "block/move.hpp"
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace blockfsi::case_file
@@ -24,6 +25,15 @@ enum class Corners
   fixed
 };
 
+/// How the fluid mesh follows the solid; the corners matter where it is regenerated.
+struct Motion
+{
+  motion::Parameters update;
+  std::vector<block::Follow> follows;
+  Corners corners = Corners::automatic;
+  Location where;
+};
+
 /// Everything that a case file says, checked: the parameters of all layers and the blocks.
 struct Case
 {
@@ -31,8 +41,9 @@ struct Case
   std::string title;
   Constants constants;
   block::Layout layout;
-  std::vector<block::Follow> follows;
-  Corners corners = Corners::automatic;
+  Motion motion;
+  /// Other ways for `blockfsi compare`, by name.
+  std::vector<std::pair<std::string, Motion>> variants;
   std::optional<fluid::Parameters> fluid;
   std::optional<solid::Parameters> solid;
   fem::TimeParameters time;

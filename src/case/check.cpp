@@ -132,18 +132,48 @@ void check_held(const Case& read, const Value& root)
 }
 
 /// Rules that run in a circle or move the interface would only show when the run begins.
-void check_motion(const Case& read, const block::Skeleton& skeleton, const Value& root)
+void check_follows(const Case& read, const block::Skeleton& skeleton, const Motion& motion,
+                   const std::string& path)
 {
-  if (!read.fluid || !read.solid || read.follows.empty())
+  if (!read.fluid || !read.solid || motion.follows.empty())
     return;
-  placed(section_value(root, "motion"),
-         [&]
-         {
-           return block::SkeletonMotion(
-               skeleton,
-               block::interface_nodes(read.layout, skeleton, read.fluid->region, read.solid->region),
-               read.follows);
-         });
+  try
+  {
+    const block::SkeletonMotion rules(
+        skeleton, block::interface_nodes(read.layout, skeleton, read.fluid->region, read.solid->region),
+        motion.follows);
+  }
+  catch (const Error& error)
+  {
+    throw error.within(path).at(motion.where);
+  }
+}
+
+void check_sliding(const Case& read, const Outline& outline, const Motion& motion, const std::string& path)
+{
+  std::vector<std::string> known;
+  for (std::size_t i = 0; i < read.layout.boundaries.size(); ++i)
+    if (read.fluid && outline.touches(i, read.fluid->region))
+      known.push_back(read.layout.boundaries[i].name);
+  for (const std::string& name : motion::sliding(motion.update))
+  {
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw Error(motion.where, fmt::format("{} slide: '{}' is no boundary that the fluid touches{}", path,
+                                            name, suggestion(name, known)));
+    if (const block::PlacedEdge* edge = outline.oblique_edge(name))
+      throw Error(motion.where,
+                  fmt::format("{} slide: nodes slide only along straight lines in x or y; the edge of '{}' "
+                              "from '{}' to '{}' is not one",
+                              path, name, read.layout.points[edge->a].name,
+                              read.layout.points[edge->b].name));
+  }
+}
+
+void check_motion(const Case& read, const block::Skeleton& skeleton, const Outline& outline,
+                  const Motion& motion, const std::string& path)
+{
+  check_follows(read, skeleton, motion, path);
+  check_sliding(read, outline, motion, path);
 }
 
 void check_samples(const Case& read, const Reading& reading, const Outline& outline)
@@ -227,7 +257,9 @@ void check(const Case& read, const Reading& reading, const Value& root)
                      "{ free = true }");
   check_enclosed(read, root);
   check_held(read, root);
-  check_motion(read, skeleton, root);
+  check_motion(read, skeleton, outline, read.motion, "[motion]");
+  for (const auto& [name, variant] : read.variants)
+    check_motion(read, skeleton, outline, variant, fmt::format("[compare.{}]", name));
   check_samples(read, reading, outline);
   check_probes(read, outline);
   check_forces(read, outline);

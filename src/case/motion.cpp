@@ -15,16 +15,30 @@ namespace blockfsi::case_file
 namespace
 {
 
-/// Rules with the layouts that their points are looked up in.
+/// A motion with the layouts that its points are looked up in.
 struct Rules
 {
   const block::Layout& pieces;
   const block::Layout& merged;
-  std::vector<block::Follow>& follows;
-  Corners& corners;
+  Motion& motion;
+};
+
+/// Parameters of a motion with all that reading it needs.
+template <typename T>
+struct Draft
+{
+  const Rules& rules;
+  T parameters;
 };
 
 constexpr std::array<std::string_view, 2> corner_choices = {"automatic", "fixed"};
+constexpr std::array<std::string_view, 2> from_choices = {"first", "last"};
+constexpr std::array<std::string_view, 2> slope_choices = {"turned", "zero"};
+constexpr Range poisson_range = {.low = -1.0,
+                                 .high = 0.5,
+                                 .low_allowed = false,
+                                 .high_allowed = false,
+                                 .words = "a number > -1 and < 0.5"};
 
 /// The point of the merged layout that a point of the pieces became: the nearest one.
 int merged_point(const Rules& rules, int point)
@@ -74,38 +88,195 @@ const Keys<Rules>& regenerate_keys()
         "automatic "
         "moves them smoothly with the interface, fixed leaves them where they are"},
        [](const Value& v, Reading&, Rules& rules)
-       { rules.corners = static_cast<Corners>(choice(v, corner_choices)); }},
+       { rules.motion.corners = static_cast<Corners>(choice(v, corner_choices)); }},
       {{"follows", "table \"point\" = \"leader\" or { \"leader\" = weight, ... }", "{}", "",
         "corners that move by the weighted displacements of others; corners on the interface move with it"},
        [](const Value& v, Reading& r, Rules& rules)
        {
          for (const Field& field : table(v))
-           rules.follows.push_back(read_rule(field, r, rules));
+           rules.motion.follows.push_back(read_rule(field, r, rules));
        }}};
   return keys;
+}
+
+const Keys<motion::Falloff>& falloff_keys()
+{
+  using motion::Falloff;
+  static const Keys<Falloff> keys = {
+      {{"weight", "number", "1", "-", "stiffness at distance 0"},
+       [](const Value& v, Reading& r, Falloff& f) { f.weight = number(v, r.constants, positive); }},
+      {{"length", "number", "required", "m", "distance at which it has fallen by 2 to the exponent"},
+       [](const Value& v, Reading& r, Falloff& f) { f.length = number(v, r.constants, positive); }},
+      {{"exponent", "number", "2", "-", "how steeply it falls: weight (1 + d / length)^-exponent"},
+       [](const Value& v, Reading& r, Falloff& f) { f.exponent = number(v, r.constants, not_negative); }}};
+  return keys;
+}
+
+motion::Falloff read_falloff(const Value& value, Reading& reading)
+{
+  motion::Falloff falloff;
+  falloff.weight = 1.0;
+  read_keys(value, falloff_keys(), reading, falloff);
+  return falloff;
+}
+
+/// Keys of all equations that have a stiffness.
+template <typename T>
+Keys<Draft<T>> stiffness_keys()
+{
+  return {{{"base", "number", "1, or 0 with near_interface or near_points", "-", "stiffness far away"},
+           [](const Value& v, Reading& r, Draft<T>& d)
+           { d.parameters.stiffness.base = number(v, r.constants, not_negative); }},
+          {{"near_interface", "table", "none", "", "added stiffness near the interface"},
+           [](const Value& v, Reading& r, Draft<T>& d)
+           { d.parameters.stiffness.interface = read_falloff(v, r); }},
+          {{"near_points", "table", "none", "", "added stiffness near the points"},
+           [](const Value& v, Reading& r, Draft<T>& d)
+           { d.parameters.stiffness.points = read_falloff(v, r); }},
+          {{"points", "list of names of points", "[]", "", "corners that near_points means"},
+           [](const Value& v, Reading&, Draft<T>& d)
+           {
+             for (const Value& entry : list(v))
+               d.parameters.stiffness.at.push_back(
+                   d.rules.merged.points[point_named(d.rules, entry.where, entry.path, text(entry))].x);
+           }},
+          {{"jacobian", "number", "1", "-",
+            "exponent with which cells are stiffer the smaller they are, 0: not at all"},
+           [](const Value& v, Reading& r, Draft<T>& d)
+           { d.parameters.stiffness.jacobian = number(v, r.constants, not_negative); }},
+          {{"from", "\"first\" or \"last\"", "first", "",
+            "mesh from which the displacement is counted: the first one, or that of the last step, in small "
+            "increments that add up"},
+           [](const Value& v, Reading&, Draft<T>& d)
+           { d.parameters.from = static_cast<motion::From>(choice(v, from_choices)); }}};
+}
+
+template <typename T>
+Key<Draft<T>> slide_key()
+{
+  return {{"slide", "list of names of boundaries", "[]", "",
+           "straight boundaries along x or y on which nodes may slide"},
+          [](const Value& v, Reading&, Draft<T>& d)
+          {
+            for (const Value& entry : list(v))
+              d.parameters.slide.push_back(text(entry));
+          }};
+}
+
+const Keys<Draft<motion::PseudoSolid>>& pseudo_solid_keys()
+{
+  using Target = Draft<motion::PseudoSolid>;
+  static const Keys<Target> keys = []
+  {
+    Keys<Target> result = stiffness_keys<motion::PseudoSolid>();
+    result.push_back({{"poisson", "number", "0.3", "-", "Poisson's ratio of the mesh"},
+                      [](const Value& v, Reading& r, Target& d)
+                      { d.parameters.poisson = number(v, r.constants, poisson_range); }});
+    result.push_back(slide_key<motion::PseudoSolid>());
+    return result;
+  }();
+  return keys;
+}
+
+const Keys<Draft<motion::Harmonic>>& harmonic_keys()
+{
+  using Target = Draft<motion::Harmonic>;
+  static const Keys<Target> keys = []
+  {
+    Keys<Target> result = stiffness_keys<motion::Harmonic>();
+    result.push_back(slide_key<motion::Harmonic>());
+    return result;
+  }();
+  return keys;
+}
+
+const Keys<Draft<motion::Biharmonic>>& biharmonic_keys()
+{
+  using Target = Draft<motion::Biharmonic>;
+  static const Keys<Target> keys = {
+      {{"slope", "\"turned\" or \"zero\"", "turned", "",
+        "normal derivative of the displacement at the interface: that of a mesh that turns with it, or zero"},
+       [](const Value& v, Reading&, Target& d)
+       { d.parameters.slope = static_cast<motion::Slope>(choice(v, slope_choices)); }},
+      slide_key<motion::Biharmonic>()};
+  return keys;
+}
+
+template <typename T>
+void read_equation(const Value& value, const Keys<Draft<T>>& keys, Reading& reading, Rules& rules)
+{
+  Draft<T> draft{rules, {}};
+  read_keys(value, keys, reading, draft);
+  if constexpr (requires { draft.parameters.stiffness; })
+  {
+    motion::Stiffness& stiffness = draft.parameters.stiffness;
+    const bool near = stiffness.interface.weight > 0.0 || stiffness.points.weight > 0.0;
+    if (near && !value.find("base"))
+      stiffness.base = 0.0;
+    if (!near && stiffness.base == 0.0)
+      fail(value, "nothing makes the mesh stiff; give base > 0, near_interface or near_points");
+    if ((stiffness.points.weight > 0.0) != !stiffness.at.empty())
+      fail(value, "near_points and points belong together: give both or none");
+  }
+  rules.motion.update = std::move(draft.parameters);
 }
 
 const Keys<Rules>& motion_keys()
 {
   static const Keys<Rules> keys = {
-      {{"regenerate", "table", "{}", "", "the fluid mesh is made anew from its blocks"},
-       [](const Value& v, Reading& r, Rules& rules) { read_keys(v, regenerate_keys(), r, rules); }}};
+      {{"regenerate", "table", "{}", "", "the fluid mesh is made anew from its blocks; the default"},
+       [](const Value& v, Reading& r, Rules& rules)
+       {
+         rules.motion.update = motion::Regeneration{};
+         read_keys(v, regenerate_keys(), r, rules);
+       }},
+      {{"pseudo_solid", "table", "", "", "the fluid mesh deforms like a linear elastic body"},
+       [](const Value& v, Reading& r, Rules& rules) { read_equation(v, pseudo_solid_keys(), r, rules); }},
+      {{"harmonic", "table", "", "", "each component of its displacement obeys a diffusion equation"},
+       [](const Value& v, Reading& r, Rules& rules) { read_equation(v, harmonic_keys(), r, rules); }},
+      {{"biharmonic", "table", "", "", "each component of its displacement obeys the biharmonic equation"},
+       [](const Value& v, Reading& r, Rules& rules) { read_equation(v, biharmonic_keys(), r, rules); }}};
   return keys;
 }
 
 }  // namespace
 
 void read_motion(const Value& value, Reading& reading, const block::Layout& pieces,
-                 const block::Layout& merged, std::vector<block::Follow>& follows, Corners& corners)
+                 const block::Layout& merged, Motion& motion)
 {
-  Rules rules{pieces, merged, follows, corners};
+  Rules rules{pieces, merged, motion};
+  motion.where = value.where;
+  if (table(value).size() > 1)
+    fail(value, fmt::format("found {} keys, allowed is one of {}", table(value).size(),
+                            listed(names(motion_keys()))));
   read_keys(value, motion_keys(), reading, rules);
 }
 
 std::vector<Section> motion_sections()
 {
-  return {section("[motion]", "how the fluid mesh follows the solid", motion_keys()),
-          section("[motion] regenerate = { ... }", "", regenerate_keys())};
+  return {section("[motion]", "how the fluid mesh follows the solid; one key of", motion_keys()),
+          section("[motion] regenerate = { ... }", "", regenerate_keys()),
+          section("[motion] pseudo_solid = { ... }", "", pseudo_solid_keys()),
+          section("[motion] harmonic = { ... }", "", harmonic_keys()),
+          section("[motion] biharmonic = { ... }", "", biharmonic_keys()),
+          section("near_interface = { ... }, near_points = { ... }", "", falloff_keys())};
+}
+
+void read_compare(const Value& value, Reading& reading, const block::Layout& pieces,
+                  const block::Layout& merged, std::vector<std::pair<std::string, Motion>>& variants)
+{
+  for (const Field& field : table(value))
+  {
+    Motion& motion = variants.emplace_back(field.name, Motion{}).second;
+    read_motion(field.value, reading, pieces, merged, motion);
+  }
+}
+
+std::vector<Section> compare_sections()
+{
+  return {{"[compare.NAME]",
+           "a way of moving the mesh for `blockfsi compare --motion NAME`",
+           {{"NAME", "table", "", "", "one key of [motion]"}}}};
 }
 
 }  // namespace blockfsi::case_file

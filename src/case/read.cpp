@@ -64,7 +64,7 @@ std::vector<Section> title_sections()
 }
 
 /// In the order in which they build on each other, whatever the order of the file.
-constexpr std::array<Part, 11> parts = {
+constexpr std::array<Part, 12> parts = {
     {{"title", title_sections, [](const Value& v, Draft& d) { d.result.title = text(v); }},
      {"let", let_sections,
       [](const Value& v, Draft& d)
@@ -84,7 +84,10 @@ constexpr std::array<Part, 11> parts = {
       [](const Value& v, Draft& d) { read_coupling(v, d.reading, d.result.coupling); }},
      {"motion", motion_sections,
       [](const Value& v, Draft& d)
-      { read_motion(v, d.reading, d.pieces, d.result.layout, d.result.follows, d.result.corners); }},
+      { read_motion(v, d.reading, d.pieces, d.result.layout, d.result.motion); }},
+     {"compare", compare_sections,
+      [](const Value& v, Draft& d)
+      { read_compare(v, d.reading, d.pieces, d.result.layout, d.result.variants); }},
      {"output", output_sections,
       [](const Value& v, Draft& d) { read_output(v, d.reading, d.result.output); }},
      {"petsc", petsc_sections,

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace blockfsi::case_file
@@ -33,8 +34,13 @@ std::vector<Section> boundaries_sections();
 
 /// Rules in the numbers of `merged`, for names in the pieces that it was merged from.
 void read_motion(const Value& value, Reading& reading, const block::Layout& pieces,
-                 const block::Layout& merged, std::vector<block::Follow>& follows, Corners& corners);
+                 const block::Layout& merged, Motion& motion);
 std::vector<Section> motion_sections();
+
+/// Variants of [motion] by name.
+void read_compare(const Value& value, Reading& reading, const block::Layout& pieces,
+                  const block::Layout& merged, std::vector<std::pair<std::string, Motion>>& variants);
+std::vector<Section> compare_sections();
 
 void read_fluid(const Value& value, Reading& reading, fluid::Parameters& parameters);
 std::vector<Section> fluid_sections();

@@ -27,6 +27,8 @@ Location location(const toml::source_region& region, const std::string& file)
 /// How many names of a path make the section in brackets; the rest are keys.
 std::size_t section_depth(const std::vector<std::string>& names)
 {
+  if (names.size() >= 2 && names[0] == "compare")
+    return 2;
   if (names.size() < 2 || names[0] != "blocks")
     return 1;
   if (names[1] == "lattice")

@@ -82,6 +82,7 @@ output::Arrays Simulation::save() const
   {
     put(arrays, "fluid.", fluid_->state());
     put(arrays, "fluid.linearisation.", fluid_->solver().linearisation());
+    arrays["fluid.mesh_memory"] = fluid_->mesh_memory();
   }
   if (solid_)
   {
@@ -133,7 +134,8 @@ void Simulation::restore(const output::Arrays& arrays)
   }
   if (fluid_)
   {
-    fluid_->restore(fluid_state(arrays, "fluid.", fluid_->mesh().node_count()), history_[0]);
+    fluid_->restore(fluid_state(arrays, "fluid.", fluid_->mesh().node_count()), history_[0],
+                    output::get<Values>(arrays, "fluid.mesh_memory"));
     fluid_->solver().restore(fluid_linearisation(arrays, "fluid.linearisation."));
   }
   if (solid_)

@@ -5,6 +5,7 @@
 #include "motion/velocity.hpp"
 #include "run/combine.hpp"
 
+#include <stdexcept>
 #include <utility>
 
 namespace blockfsi::run
@@ -12,11 +13,14 @@ namespace blockfsi::run
 
 FluidSide::FluidSide(const block::Layout& layout, const block::Skeleton& skeleton,
                      const fluid::Parameters& parameters, const std::vector<std::int64_t>& interface,
-                     const std::vector<block::Follow>& follows, Timings& timings)
+                     const motion::Parameters& motion, const std::vector<block::Follow>& follows,
+                     Timings& timings)
     : timings_(&timings), connected_(block::connect(layout, skeleton, parameters.region, linalg::part())),
       numbering_(connected_.mesh.lattice, connected_.mesh.owner), interface_(interface, connected_.mesh),
-      motion_(skeleton, connected_.plan, interface, follows), x_(block::initial_nodes(connected_, skeleton)),
-      x_new_(x_), x_geometry_(x_), w_(x_.size(), 0.0),
+      x_(block::initial_nodes(connected_, skeleton)),
+      motion_(motion::make_update(
+          motion, {skeleton, connected_.plan, connected_.mesh, numbering_, x_, interface}, follows)),
+      displacement_(2 * interface.size(), 0.0), x_new_(x_), x_geometry_(x_), w_(x_.size(), 0.0),
       solver_(parameters, connected_.mesh, numbering_, x_, timings), state_(solver_.initial()),
       z_(3 * connected_.mesh.node_count(), 0.0), reaction_(z_.size(), 0.0), quality_tables_(layout.order),
       validity_tables_(layout.order),
@@ -31,16 +35,18 @@ void FluidSide::begin(const fem::TimeStep& step)
   solver_.guess(step, state_, z_);
 }
 
-bool FluidSide::move(std::span<const double> displacement)
+motion::Report FluidSide::move(std::span<const double> displacement)
 {
+  motion::Report report;
   {
     const Stopwatch watch(*timings_, Task::place);
-    motion_.follow(displacement, x_new_);
+    report = motion::follow(motion_, displacement, x_new_);
     motion::mesh_velocity(step_, x_, x_new_, x_geometry_, w_);
+    displacement_.assign(displacement.begin(), displacement.end());
   }
   reaction_known_ = false;
   measure();
-  return quality_.scaled_jacobian > 0.0;
+  return report;
 }
 
 linalg::NewtonReport FluidSide::solve()
@@ -64,6 +70,7 @@ void FluidSide::accept()
   reaction_time_ = step_.t + step_.theta * step_.step;
   state_ = solver_.finish(step_, state_, z_);
   x_ = x_new_;
+  motion::accept(motion_, displacement_, x_);
 }
 
 void FluidSide::measure()
@@ -78,10 +85,14 @@ mesh::Validity FluidSide::certify() const
   return combine(mesh::certify(validity_tables_, connected_.mesh, x_));
 }
 
-void FluidSide::restore(fluid::State state, std::span<const double> displacement)
+void FluidSide::restore(fluid::State state, std::span<const double> displacement,
+                        std::span<const double> mesh_memory)
 {
   state_ = std::move(state);
-  motion_.follow(displacement, x_);
+  motion::recall(motion_, mesh_memory);
+  displacement_.assign(displacement.begin(), displacement.end());
+  if (const motion::Report report = motion::follow(motion_, displacement, x_); !report.ok)
+    throw std::runtime_error(report.failure);
   x_new_ = x_;
   measure();
 }

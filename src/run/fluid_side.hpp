@@ -1,14 +1,13 @@
 #pragma once
 
 #include "block/connect.hpp"
-#include "block/move.hpp"
 #include "core/timing.hpp"
 #include "coupling/interface.hpp"
 #include "fluid/solver.hpp"
 #include "linalg/numbering.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/validity.hpp"
-#include "motion/regenerate.hpp"
+#include "motion/update.hpp"
 
 #include <cstdint>
 #include <span>
@@ -24,16 +23,17 @@ class FluidSide
 public:
   /// `interface`: skeleton numbers of the nodes that the solid moves; empty for a flow alone.
   FluidSide(const block::Layout& layout, const block::Skeleton& skeleton, const fluid::Parameters& parameters,
-            const std::vector<std::int64_t>& interface, const std::vector<block::Follow>& follows,
-            Timings& timings);
+            const std::vector<std::int64_t>& interface, const motion::Parameters& motion,
+            const std::vector<block::Follow>& follows, Timings& timings);
   FluidSide(const FluidSide&) = delete;
   FluidSide& operator=(const FluidSide&) = delete;
 
   /// Prepares a step from the accepted state.
   void begin(const fem::TimeStep& step);
   /// Moves the mesh to a displacement of the interface at the end of the step [m], shape (interface count,
-  /// 2); false if a cell is folded: then nothing may be solved on it.
-  [[nodiscard]] bool move(std::span<const double> displacement);
+  /// 2). Nothing may be solved on it if that failed or if a cell is folded.
+  [[nodiscard]] motion::Report move(std::span<const double> displacement);
+  bool is_folded() const { return quality_.scaled_jacobian <= 0.0; }
   /// Solves the flow on the mesh as it was moved.
   [[nodiscard]] linalg::NewtonReport solve();
   /// Force of the fluid on the interface nodes [N/m], shape (interface count, 2), written.
@@ -60,8 +60,11 @@ public:
   fluid::Solver& solver() { return solver_; }
   std::int64_t unknown_count() const { return solver_.unknown_count(); }
 
-  /// For a restart: the accepted state and the displacement of the interface that belongs to it.
-  void restore(fluid::State state, std::span<const double> displacement);
+  /// What the next mesh depends on besides the interface.
+  std::vector<double> mesh_memory() const { return motion::memory(motion_); }
+  /// For a restart: the accepted state, and the displacement of the interface and the memory of the mesh that
+  /// belong to it. Throws Error if the memory is that of another way of moving.
+  void restore(fluid::State state, std::span<const double> displacement, std::span<const double> mesh_memory);
 
 private:
   void measure();
@@ -71,8 +74,9 @@ private:
   block::Connected connected_;
   linalg::Numbering numbering_;
   coupling::Interface interface_;
-  motion::Regenerate motion_;
   std::vector<double> x_;
+  motion::Update motion_;
+  std::vector<double> displacement_;  ///< as last moved
   std::vector<double> x_new_;
   std::vector<double> x_geometry_;
   std::vector<double> w_;

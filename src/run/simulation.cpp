@@ -50,8 +50,8 @@ Simulation::Simulation(const case_file::Case& description)
   if (case_.fluid && case_.solid)
     interface_ = block::interface_nodes(case_.layout, skeleton_, case_.fluid->region, case_.solid->region);
   if (case_.fluid)
-    fluid_ =
-        std::make_unique<FluidSide>(case_.layout, skeleton_, *case_.fluid, interface_, rules(), timings_);
+    fluid_ = std::make_unique<FluidSide>(case_.layout, skeleton_, *case_.fluid, interface_,
+                                         case_.motion.update, rules(), timings_);
   if (case_.solid)
     solid_ = std::make_unique<SolidSide>(case_.layout, skeleton_, *case_.solid, interface_, timings_);
   if (fluid_ && solid_)
@@ -62,11 +62,11 @@ Simulation::Simulation(const case_file::Case& description)
 /// The rules of all corners that move though they are not on the interface.
 std::vector<block::Follow> Simulation::rules() const
 {
-  std::vector<block::Follow> all = case_.follows;
-  if (case_.corners == case_file::Corners::automatic && !interface_.empty())
+  std::vector<block::Follow> all = case_.motion.follows;
+  if (case_.motion.corners == case_file::Corners::automatic && !interface_.empty())
   {
     const std::vector<block::Follow> more =
-        block::automatic_rules(case_.layout, skeleton_, interface_, case_.follows);
+        block::automatic_rules(case_.layout, skeleton_, interface_, case_.motion.follows);
     all.insert(all.end(), more.begin(), more.end());
   }
   return all;
@@ -182,7 +182,14 @@ bool Simulation::couple(const fem::TimeStep& step, StepReport& report)
 
 bool Simulation::evaluate(std::span<const double> d, std::span<double> answer, StepReport& report)
 {
-  if (!fluid_->move(d))
+  const motion::Report moved = fluid_->move(d);
+  report.renewals += moved.factorisations;
+  if (!moved.ok)
+  {
+    report.failure = fmt::format("{} {}", moved.failure, when());
+    return false;
+  }
+  if (fluid_->is_folded())
   {
     const mesh::Quality quality = fluid_->quality();
     report.failure = fmt::format(

@@ -16,6 +16,9 @@ VARIANTS = {
     "a strong flow": (["let.U=2"], [7]),
     "order 3": (["blocks.order=3"], [7]),
     "backward Euler": (['time.scheme="backward-euler"'], [7]),
+    "a pseudo-solid": (["motion={pseudo_solid={}}"], [7]),
+    "an incremental pseudo-solid": (['motion={pseudo_solid={from="last"}}'], [1, 7]),
+    "a biharmonic mesh": (["motion={biharmonic={}}"], [7]),
 }
 
 

@@ -6,6 +6,7 @@
 #include "fem/cell_loop.hpp"
 #include "fluid/solver.hpp"
 #include "linalg/communicator.hpp"
+#include "motion/update.hpp"
 
 #include <doctest/doctest.h>
 
@@ -155,4 +156,77 @@ TEST_CASE("steps of a flow give the same forces and errors as on one process")
   std::vector<double> ghosts = z;
   part.numbering.update_ghosts(ghosts, 3);
   CHECK(ghosts == z);
+}
+
+TEST_CASE("the mesh follows the interface as on one process, in every way")
+{
+  using namespace blockfsi;
+  block::Layout layout;
+  layout.order = 3;
+  block::Lattice lattice;
+  lattice.name = "box";
+  lattice.x = {0.0, 1.0, 1.5, 3.0};
+  lattice.y = {2.0, 1.0, 0.0};
+  lattice.draw = {"fluid fluid fluid", "fluid flap fluid"};
+  lattice.divide_x = {3, 2, 3};
+  lattice.divide_y = {3, 3};
+  block::add(layout, lattice);
+  layout.boundaries.push_back({"floor", block::ByCondition{Condition("y = 0", {})}, {}});
+  layout.boundaries.push_back({"rest", block::ByCondition{Condition("y = 2 or x = 0 or x = 3", {})}, {}});
+  const block::Skeleton skeleton = block::make_skeleton(layout);
+  const std::vector<std::int64_t> interface = block::interface_nodes(layout, skeleton, "fluid", "flap");
+  std::vector<double> displacement;
+  for (const std::int64_t node : interface)
+    displacement.insert(displacement.end(),
+                        {0.2 * skeleton.x[2 * node + 1], 0.05 * skeleton.x[2 * node + 1]});
+
+  /// Sum of squares of the displacements, weighted by their places, after two steps.
+  const auto measure =
+      [&](const motion::Parameters& parameters, Part part, const linalg::Numbering* numbering)
+  {
+    const block::Connected connected = block::connect(layout, skeleton, "fluid", part);
+    const std::vector<double> x0 = block::initial_nodes(connected, skeleton);
+    motion::Update update = motion::make_update(
+        parameters, {skeleton, connected.plan, connected.mesh, *numbering, x0, interface}, {});
+    std::vector<double> x(x0.size());
+    for (const double factor : {0.5, 1.0})
+    {
+      std::vector<double> d = displacement;
+      for (double& value : d)
+        value *= factor;
+      REQUIRE(motion::follow(update, d, x).ok);
+      motion::accept(update, d, x);
+    }
+    double sum = 0.0;
+    for (const std::int32_t node : numbering->owned())
+      for (int c = 0; c < 2; ++c)
+      {
+        const std::size_t i = 2 * static_cast<std::size_t>(node) + c;
+        sum += (x[i] - x0[i]) * (x[i] - x0[i]) * (1.0 + x0[i]);
+      }
+    std::vector<double> ghosts = x;
+    numbering->update_ghosts(ghosts, 2);
+    CHECK(ghosts == x);
+    linalg::sum(std::span(&sum, 1));
+    return sum;
+  };
+  const block::Connected mine = block::connect(layout, skeleton, "fluid", linalg::part());
+  const linalg::Numbering numbering(mine.mesh.lattice, mine.mesh.owner);
+  motion::PseudoSolid incremental;
+  incremental.from = motion::From::last;
+  incremental.stiffness.interface = {1.0, 0.2, 2.0};
+  motion::Harmonic sliding;
+  sliding.slide = {"floor"};
+  // From a run on one process.
+  const std::vector<std::pair<motion::Parameters, double>> expected = {
+      {motion::Regeneration{}, 5.84923333333332},
+      {motion::PseudoSolid{}, 3.87530529650338},
+      {incremental, 4.45761639914554},
+      {sliding, 4.16070641738306},
+      {motion::Biharmonic{}, 5.76402956615961}};
+  for (const auto& [parameters, value] : expected)
+  {
+    CAPTURE(parameters.index());
+    CHECK(measure(parameters, linalg::part(), &numbering) == doctest::Approx(value).epsilon(1e-10));
+  }
 }

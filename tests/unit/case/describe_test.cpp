@@ -32,7 +32,7 @@ const std::vector<std::vector<std::string>> variations = {
 /// Tables whose keys are names that the user chooses.
 bool holds_names(const std::string& path)
 {
-  for (const char* table : {"[let]", "[blocks.points]", "[blocks.quads]", "[blocks.edges]", "[boundaries]"})
+  for (const char* table : {"[let]", "[blocks.points]", "[blocks.quads]", "[blocks.edges]", "[boundaries]", "[compare]"})
     if (path == table)
       return true;
   return path == "[output] probes" || path == "[output] forces" || path.ends_with(" place") ||

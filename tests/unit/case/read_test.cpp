@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <variant>
@@ -81,11 +82,11 @@ TEST_CASE("the Wall-Ramm benchmark is read as it is written")
 TEST_CASE("rules name points with or without their lattice and with weights")
 {
   const case_file::Case read = case_file::read(wall_ramm);
-  REQUIRE(read.follows.size() == 2);
-  CHECK(point(read, read.follows[0].point).name == "channel x3 y1");
-  CHECK(point(read, read.follows[0].leaders.at(0).point).name == "channel x3 y2");
-  CHECK(point(read, read.follows[1].point).name == "channel x3 y4");
-  CHECK(read.follows[1].leaders.at(0).weight == 1.0);
+  REQUIRE(read.motion.follows.size() == 2);
+  CHECK(point(read, read.motion.follows[0].point).name == "channel x3 y1");
+  CHECK(point(read, read.motion.follows[0].leaders.at(0).point).name == "channel x3 y2");
+  CHECK(point(read, read.motion.follows[1].point).name == "channel x3 y4");
+  CHECK(read.motion.follows[1].leaders.at(0).weight == 1.0);
 }
 
 TEST_CASE("a name that a merge takes away still finds its point")
@@ -94,8 +95,8 @@ TEST_CASE("a name that a merge takes away still finds its point")
       everything, {"blocks.points.twin=[2, 0.5]",
                    R"(blocks.quads.tail={ corners = ["twin", "p", "q", "box x3 y0"], region = "fluid" })",
                    R"(motion.regenerate={ follows = { "twin" = "box x2 y1" } })"});
-  REQUIRE(read.follows.size() == 1);
-  CHECK(point(read, read.follows[0].point).name == "box x3 y1");
+  REQUIRE(read.motion.follows.size() == 1);
+  CHECK(point(read, read.motion.follows[0].point).name == "box x3 y1");
 }
 
 TEST_CASE("pieces that coincide are merged")
@@ -188,4 +189,48 @@ TEST_CASE("a file that does not exist is named")
 {
   CHECK(complaint("no/such/case.toml", {}) ==
         "no/such/case.toml: cannot be read; give the path of a case file in TOML format");
+}
+
+TEST_CASE("ways of moving the mesh are read with their stiffness")
+{
+  const case_file::Case read = case_file::read(everything);
+  REQUIRE(read.variants.size() == 3);
+  CHECK(std::holds_alternative<motion::Regeneration>(read.motion.update));
+  CHECK(read.variants[0].first == "solid");
+  const auto& solid = std::get<motion::PseudoSolid>(read.variants[0].second.update);
+  CHECK(solid.stiffness.base == 0.1);
+  CHECK(solid.stiffness.interface.weight == 2.0);
+  CHECK(solid.stiffness.interface.exponent == 1.0);
+  CHECK(solid.stiffness.points.weight == 1.0);
+  CHECK(solid.stiffness.points.length == 0.2);
+  REQUIRE(solid.stiffness.at.size() == 2);
+  CHECK(solid.stiffness.at[1] == std::array{3.0, 1.0, 0.0});
+  CHECK(solid.stiffness.jacobian == 1.5);
+  CHECK(solid.from == motion::From::last);
+  CHECK(solid.poisson == -0.2);
+  CHECK(solid.slide == std::vector<std::string>{"floor"});
+  const auto& heat = std::get<motion::Harmonic>(read.variants[1].second.update);
+  CHECK(heat.stiffness.base == 0.0);
+  CHECK(heat.stiffness.jacobian == 1.0);
+  CHECK(heat.from == motion::From::first);
+  CHECK(std::get<motion::Biharmonic>(read.variants[2].second.update).slope == motion::Slope::zero);
+}
+
+TEST_CASE("mistakes in ways of moving the mesh are explained")
+{
+  CHECK(complaint(everything, {"motion.harmonic={}"}).find("[motion]: found 2 keys, allowed is one of") !=
+        std::string::npos);
+  CHECK(complaint(everything, {"compare.heat={ harmonic = { base = 0 } }"})
+            .find("nothing makes the mesh stiff") != std::string::npos);
+  CHECK(complaint(everything, {R"(compare.heat={ harmonic = { points = ["q"] } })"})
+            .find("[compare.heat] harmonic: near_points and points belong together") != std::string::npos);
+  CHECK(complaint(everything, {R"(compare.plate={ biharmonic = { slide = ["flour"] } })"})
+            .find("[compare.plate] slide: 'flour' is no boundary that the fluid touches; did you mean "
+                  "'floor'?") != std::string::npos);
+  CHECK(complaint(everything, {R"(compare.plate={ biharmonic = { slide = ["outlet"] } })"})
+            .find("nodes slide only along straight lines in x or y") != std::string::npos);
+  CHECK(complaint(everything, {"compare.solid={ pseudo_solid = { poisson = 0.5 } }"})
+            .find("[compare.solid] pseudo_solid.poisson: found 0.5") != std::string::npos);
+  CHECK(complaint(everything, {"compare.solid={ pseudo_solid = { near_interface = { exponent = 2 } } }"})
+            .find("the key 'length' is missing") != std::string::npos);
 }
