@@ -1,8 +1,9 @@
 #include "block/boundaries.hpp"
 
 #include "block/message.hpp"
+#include "block/numbering.hpp"
+#include "block/topology.hpp"
 #include "core/nearest.hpp"
-#include "element/line.hpp"
 
 #include <fmt/format.h>
 
@@ -19,62 +20,49 @@ namespace blockfsi::block
 namespace
 {
 
-/// Diagonal of the box around all points [m].
-double layout_size(const Layout& layout)
+/// "edge" or "face".
+const char* side_word(const Skeleton& skeleton)
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::array<double, 2> low{infinity, infinity};
-  std::array<double, 2> high{-infinity, -infinity};
-  for (const Point& point : layout.points)
-    for (std::size_t c = 0; c < 2; ++c)
-    {
-      low[c] = std::min(low[c], point.x[c]);
-      high[c] = std::max(high[c], point.x[c]);
-    }
-  return std::hypot(high[0] - low[0], high[1] - low[1]);
+  return skeleton.dim == 2 ? "edge" : "face";
 }
 
-/// Whether all nodes of an edge fulfil a condition. A curve does not depend on the grading, which may itself
-/// depend on the boundaries, so the nodes are those of equal cells.
-bool lies_on(const Layout& layout, const Topology& topology, int edge, const Condition& condition,
-             double tolerance)
+/// Whether all nodes of a side fulfil a condition.
+bool lies_on(const Skeleton& skeleton, int side, const Condition& condition, double tolerance)
 {
-  const std::vector<double> inner = element::lobatto(layout.order);
-  const int n = topology.edges[edge].divisions;
-  for (int cell = 0; cell < n; ++cell)
-    for (const double xi : inner)
-    {
-      const geometry::Point x = edge_point(layout, topology, edge, (cell + xi) / n);
-      if (!condition.holds(x[0], x[1], x[2], tolerance))
-        return false;
-    }
-  return true;
+  const std::vector<std::int32_t> nodes = side_numbers(skeleton, side);
+  return std::all_of(nodes.begin(), nodes.end(),
+                     [&](std::int32_t node)
+                     {
+                       const double* x = skeleton.x.data() + static_cast<std::ptrdiff_t>(node) * skeleton.dim;
+                       return condition.holds(x[0], x[1], skeleton.dim == 2 ? 0.0 : x[2], tolerance);
+                     });
 }
 
-std::vector<int> edges_by(const ByCondition& rule, const Layout& layout, const Topology& topology)
+std::vector<int> sides_by(const ByCondition& rule, const Layout& layout, const Skeleton& skeleton)
 {
   const double tolerance = 1e-8 * layout_size(layout);
-  std::vector<int> edges;
-  for (std::size_t e = 0; e < topology.edges.size(); ++e)
-    if (topology.edges[e].blocks.size() == 1 &&
-        lies_on(layout, topology, static_cast<int>(e), rule.condition, tolerance))
-      edges.push_back(static_cast<int>(e));
-  if (edges.empty())
+  std::vector<int> sides;
+  for (int side = 0; side < side_count(skeleton); ++side)
+    if (side_blocks(skeleton, side).size() == 1 && lies_on(skeleton, side, rule.condition, tolerance))
+      sides.push_back(side);
+  if (sides.empty())
     throw Error(
-        fmt::format("no outer edge lies on \"{}\": at least one edge must fulfil it with all its nodes",
-                    rule.condition.text()));
-  return edges;
+        fmt::format("no outer {0} lies on \"{1}\": at least one {0} must fulfil it with all its nodes",
+                    side_word(skeleton), rule.condition.text()));
+  return sides;
 }
 
-int existing_edge(const Layout& layout, const Topology& topology, int a, int b)
+int existing_edge(const Layout& layout, const Skeleton& skeleton, int a, int b)
 {
-  const int edge = find_edge(topology, a, b);
+  if (skeleton.dim != 2)
+    throw Error("its sides are faces in a layout in 3 dimensions, not edges; list faces");
+  const int edge = find_edge(skeleton.edges, a, b);
   if (edge < 0)
     throw Error(fmt::format("no block has an edge {}", edge_text(layout, a, b)));
   return edge;
 }
 
-std::vector<int> edges_by(const ByHole& rule, const Layout& layout, const Topology& topology)
+std::vector<int> sides_by(const ByHole& rule, const Layout& layout, const Skeleton& skeleton)
 {
   std::vector<int> edges;
   std::set<std::string> lattices;
@@ -86,7 +74,7 @@ std::vector<int> edges_by(const ByHole& rule, const Layout& layout, const Topolo
       continue;
     hole_count = std::max(hole_count, hole.number);
     if (hole.number == rule.number)
-      edges.push_back(existing_edge(layout, topology, hole.a, hole.b));
+      edges.push_back(existing_edge(layout, skeleton, hole.a, hole.b));
   }
   if (!edges.empty())
     return edges;
@@ -97,53 +85,74 @@ std::vector<int> edges_by(const ByHole& rule, const Layout& layout, const Topolo
       fmt::format("no lattice '{}' with holes exists{}", rule.lattice, did_you_mean(rule.lattice, lattices)));
 }
 
-std::vector<int> edges_by(const ByEdges& rule, const Layout& layout, const Topology& topology)
+std::vector<int> sides_by(const ByEdges& rule, const Layout& layout, const Skeleton& skeleton)
 {
   std::vector<int> edges;
   for (const auto& [a, b] : rule.edges)
-    edges.push_back(existing_edge(layout, topology, a, b));
+    edges.push_back(existing_edge(layout, skeleton, a, b));
   if (edges.empty())
     throw Error("it lists no edges; list at least one or remove the boundary");
   return edges;
 }
 
-/// Whether an edge lies within a region.
-bool is_inner(const Layout& layout, const PlacedEdge& edge)
+std::vector<int> sides_by(const ByFaces& rule, const Layout& layout, const Skeleton& skeleton)
 {
-  return edge.blocks.size() == 2 &&
-         layout.blocks[edge.blocks[0]].region == layout.blocks[edge.blocks[1]].region;
+  std::vector<int> faces;
+  for (const std::vector<int>& points : rule.faces)
+  {
+    const int face = find_face(skeleton.faces, points);
+    if (face < 0)
+      throw Error(fmt::format("no block has a {}", side_text(layout, points)));
+    faces.push_back(face);
+  }
+  if (faces.empty())
+    throw Error("it lists no faces; list at least one or remove the boundary");
+  return faces;
 }
 
-void claim(const Layout& layout, PlacedEdge& edge, int boundary)
+/// Whether a side lies within a region.
+bool is_inner(const Layout& layout, const std::vector<int>& blocks)
 {
-  if (is_inner(layout, edge))
-    throw Error(fmt::format(
-        "the edge {} lies inside the region '{}', between the blocks '{}' and '{}'; a boundary can "
-        "only lie where a region ends",
-        edge_text(layout, edge.a, edge.b), layout.blocks[edge.blocks[0]].region,
-        layout.blocks[edge.blocks[0]].name, layout.blocks[edge.blocks[1]].name));
-  if (edge.boundary >= 0 && edge.boundary != boundary)
-    throw Error(fmt::format(
-        "the edge {} belongs to the boundary '{}'{} as well; an edge can belong to one boundary only",
-        edge_text(layout, edge.a, edge.b), layout.boundaries[edge.boundary].name,
-        place_text(layout.boundaries[edge.boundary].where)));
-  edge.boundary = boundary;
+  return blocks.size() == 2 && layout.blocks[blocks[0]].region == layout.blocks[blocks[1]].region;
 }
 
-void assign(const Layout& layout, Topology& topology, int boundary)
+int& boundary_of(Skeleton& skeleton, int side)
+{
+  return skeleton.dim == 2 ? skeleton.edges[side].boundary : skeleton.faces[side].boundary;
+}
+
+void claim(const Layout& layout, Skeleton& skeleton, int side, int boundary)
+{
+  const std::vector<int>& blocks = side_blocks(skeleton, side);
+  if (is_inner(layout, blocks))
+    throw Error(
+        fmt::format("the {} lies inside the region '{}', between the blocks '{}' and '{}'; a boundary can "
+                    "only lie where a region ends",
+                    side_text(layout, side_points(skeleton, side)), layout.blocks[blocks[0]].region,
+                    layout.blocks[blocks[0]].name, layout.blocks[blocks[1]].name));
+  int& of = boundary_of(skeleton, side);
+  if (of >= 0 && of != boundary)
+    throw Error(fmt::format(
+        "the {} belongs to the boundary '{}'{} as well; {} {} can belong to one boundary only",
+        side_text(layout, side_points(skeleton, side)), layout.boundaries[of].name,
+        place_text(layout.boundaries[of].where), skeleton.dim == 2 ? "an" : "a", side_word(skeleton)));
+  of = boundary;
+}
+
+void assign(const Layout& layout, Skeleton& skeleton, int boundary)
 {
   const Boundary& given = layout.boundaries[boundary];
-  const auto edges =
-      std::visit([&](const auto& rule) { return edges_by(rule, layout, topology); }, given.rule);
-  for (const int edge : edges)
-    claim(layout, topology.edges[edge], boundary);
+  const auto sides =
+      std::visit([&](const auto& rule) { return sides_by(rule, layout, skeleton); }, given.rule);
+  for (const int side : sides)
+    claim(layout, skeleton, side, boundary);
 }
 
 void check_name(const Layout& layout, int boundary)
 {
   const std::string& name = layout.boundaries[boundary].name;
   if (name == interface_name)
-    throw Error("this name is reserved for the edges between two regions; choose another");
+    throw Error("this name is reserved for the sides between two regions; choose another");
   for (int other = 0; other < boundary; ++other)
     if (layout.boundaries[other].name == name)
       throw Error(fmt::format("a boundary of this name exists already{}; choose another",
@@ -151,32 +160,46 @@ void check_name(const Layout& layout, int boundary)
 }
 
 /// Nothing may be left over: a forgotten boundary would silently become a free surface.
-void check_complete(const Layout& layout, const Topology& topology)
+void check_complete(const Layout& layout, const Skeleton& skeleton)
 {
-  const auto forgotten = [](const PlacedEdge& edge) { return edge.blocks.size() == 1 && edge.boundary < 0; };
-  const auto first = std::find_if(topology.edges.begin(), topology.edges.end(), forgotten);
-  if (first == topology.edges.end())
+  std::vector<int> forgotten;
+  for (int side = 0; side < side_count(skeleton); ++side)
+    if (side_blocks(skeleton, side).size() == 1 && side_boundary(skeleton, side) < 0)
+      forgotten.push_back(side);
+  if (forgotten.empty())
     return;
-  const auto others = std::count_if(first + 1, topology.edges.end(), forgotten);
-  const Block& block = layout.blocks[first->blocks[0]];
+  const Block& block = layout.blocks[side_blocks(skeleton, forgotten[0])[0]];
   throw mistake(
       block.where,
-      fmt::format("the outer edge {} of the block '{}' belongs to no boundary{}; add it to one, or join the "
+      fmt::format("the outer {} of the block '{}' belongs to no boundary{}; add it to one, or join the "
                   "blocks if there should be another beside it",
-                  edge_text(layout, first->a, first->b), block.name,
-                  others > 0 ? fmt::format(" (as do {} others)", others) : ""));
+                  side_text(layout, side_points(skeleton, forgotten[0])), block.name,
+                  forgotten.size() > 1 ? fmt::format(" (as do {} others)", forgotten.size() - 1) : ""));
+}
+
+/// In 3D edges know a boundary that they touch.
+void mark_edges(Skeleton& skeleton)
+{
+  if (skeleton.dim == 2)
+    return;
+  for (const PlacedFace& face : skeleton.faces)
+    for (int e = 0; face.boundary >= 0 && e < element::corner_count(face.shape); ++e)
+    {
+      int& of = skeleton.edges[face.edges[e]].boundary;
+      of = of < 0 ? face.boundary : std::min(of, face.boundary);
+    }
 }
 
 }  // namespace
 
-void assign_boundaries(const Layout& layout, Topology& topology)
+void assign_boundaries(const Layout& layout, Skeleton& skeleton)
 {
   for (std::size_t boundary = 0; boundary < layout.boundaries.size(); ++boundary)
   {
     try
     {
       check_name(layout, static_cast<int>(boundary));
-      assign(layout, topology, static_cast<int>(boundary));
+      assign(layout, skeleton, static_cast<int>(boundary));
     }
     catch (const Error& error)
     {
@@ -184,7 +207,8 @@ void assign_boundaries(const Layout& layout, Topology& topology)
       throw mistake(given.where, error.within(fmt::format("the boundary '{}'", given.name)).message());
     }
   }
-  check_complete(layout, topology);
+  check_complete(layout, skeleton);
+  mark_edges(skeleton);
 }
 
 }  // namespace blockfsi::block

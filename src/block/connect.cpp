@@ -1,9 +1,14 @@
 #include "block/connect.hpp"
 
+#include "block/blend.hpp"
 #include "block/boundaries.hpp"
+#include "block/reference.hpp"
 #include "block/region.hpp"
+#include "block/share.hpp"
+#include "block/topology.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 
 namespace blockfsi::block
@@ -12,167 +17,258 @@ namespace blockfsi::block
 namespace
 {
 
-/// A run of cells [begin, end) of one block, counted within the block.
-struct Run
-{
-  int block;
-  std::int64_t begin;
-  std::int64_t end;
-};
-
-std::vector<Run> own_runs(const RegionCells& cells, Part part)
-{
-  const std::int64_t begin = cells.share_begin(part.rank, part.size);
-  const std::int64_t end = cells.share_begin(part.rank + 1, part.size);
-  std::vector<Run> runs;
-  for (const int block : cells.blocks())
-  {
-    const std::int64_t first = cells.first_cell(block);
-    const std::int64_t count = cells.lattice(block).cell_count();
-    const Run run{block, std::max(begin - first, std::int64_t{0}), std::min(end - first, count)};
-    if (run.begin < run.end)
-      runs.push_back(run);
-  }
-  return runs;
-}
-
-/// Lattice numbers of the nodes of all own cells, shape (cell_count, (order + 1)^2).
-std::vector<std::int64_t> own_rows(const RegionCells& cells, const std::vector<Run>& runs, int order)
-{
-  std::vector<std::int64_t> rows;
-  for (const Run& run : runs)
-  {
-    const BlockLattice& lattice = cells.lattice(run.block);
-    for (std::int64_t c = run.begin; c < run.end; ++c)
-    {
-      const int i0 = static_cast<int>(c % lattice.cells_along_u()) * order;
-      const int j0 = static_cast<int>(c / lattice.cells_along_u()) * order;
-      for (int j = 0; j <= order; ++j)
-        for (int i = 0; i <= order; ++i)
-          rows.push_back(lattice.number(i0 + i, j0 + j));
-    }
-  }
-  return rows;
-}
-
-/// Numbers the nodes of the own cells locally, ascending by lattice number.
-void number_nodes(const RegionCells& cells, const std::vector<std::int64_t>& rows, int size, mesh::Mesh& mesh)
-{
-  mesh.lattice = rows;
-  std::sort(mesh.lattice.begin(), mesh.lattice.end());
-  mesh.lattice.erase(std::unique(mesh.lattice.begin(), mesh.lattice.end()), mesh.lattice.end());
-  for (const std::int64_t node : mesh.lattice)
-    mesh.owner.push_back(cells.rank_of_cell(cells.lowest_cell(node), size));
-  mesh.cells.reserve(rows.size());
-  for (const std::int64_t node : rows)
-  {
-    const auto at = std::lower_bound(mesh.lattice.begin(), mesh.lattice.end(), node);
-    mesh.cells.push_back(static_cast<std::int32_t>(at - mesh.lattice.begin()));
-  }
-}
-
-/// The names of the mesh boundaries that an edge belongs to, seen from a region.
-std::vector<std::string> names_of(const Layout& layout, const RegionCells& cells, const PlacedEdge& edge)
+/// The names of the mesh boundaries that a side belongs to, seen from a region.
+std::vector<std::string> names_of(const Layout& layout, const Skeleton& skeleton, const RegionCells& cells,
+                                  int side)
 {
   std::vector<std::string> names;
-  if (edge.boundary >= 0)
-    names.push_back(layout.boundaries[edge.boundary].name);
-  if (edge.blocks.size() == 2 && cells.contains(edge.blocks[0]) != cells.contains(edge.blocks[1]))
+  const int boundary = side_boundary(skeleton, side);
+  const std::vector<int>& blocks = side_blocks(skeleton, side);
+  if (boundary >= 0)
+    names.push_back(layout.boundaries[boundary].name);
+  if (blocks.size() == 2 && cells.contains(blocks[0]) != cells.contains(blocks[1]))
     names.push_back(interface_name);
   return names;
 }
 
-/// Enters all boundaries of the region, so that every process knows the same names.
-void name_boundaries(const Layout& layout, const RegionCells& cells, mesh::Mesh& mesh)
-{
-  for (const int block : cells.blocks())
-    for (const PlacedEdge* edge : cells.lattice(block).edges)
-      for (const std::string& name : names_of(layout, cells, *edge))
-        mesh.boundaries[name];
-}
+/// Lists of sides of cells that grow with the sides of a block, for each side.
+using Lists = std::vector<std::vector<std::vector<mesh::Side>*>>;
 
-/// Sides of a block on which a cell lies.
-std::vector<int> sides_of(const BlockLattice& lattice, std::int64_t cell)
+Lists lists_of(const Layout& layout, const Skeleton& skeleton, const RegionCells& cells, int block,
+               mesh::Mesh& mesh)
 {
-  const std::int64_t i = cell % lattice.cells_along_u();
-  const std::int64_t j = cell / lattice.cells_along_u();
-  std::vector<int> sides;
-  if (j == 0)
-    sides.push_back(0);
-  if (i == lattice.cells_along_u() - 1)
-    sides.push_back(1);
-  if (j == lattice.cells_along_v() - 1)
-    sides.push_back(2);
-  if (i == 0)
-    sides.push_back(3);
-  return sides;
-}
-
-void add_cells(const Layout& layout, const RegionCells& cells, const Run& run, mesh::Mesh& mesh)
-{
-  const BlockLattice& lattice = cells.lattice(run.block);
-  std::array<std::vector<std::string>, 4> names;
-  for (int side = 0; side < 4; ++side)
-    names[side] = names_of(layout, cells, *lattice.edges[side]);
-  for (std::int64_t c = run.begin; c < run.end; ++c)
+  Lists lists;
+  for (const int side : skeleton.block_sides[block])
   {
-    const auto local = static_cast<std::int32_t>(mesh.cell_block.size());
-    mesh.cell_block.push_back(run.block);
-    mesh.cell_number.push_back(cells.first_cell(run.block) + c);
-    for (const int side : sides_of(lattice, c))
-      for (const std::string& name : names[side])
-        mesh.boundaries[name].push_back({local, side});
+    lists.emplace_back();
+    for (const std::string& name : names_of(layout, skeleton, cells, side))
+      lists.back().push_back(&mesh.boundaries[name]);
   }
+  return lists;
 }
 
-/// Graded parameter of node k of a side, along u or v.
-double side_parameter(const Skeleton& skeleton, const BlockLattice& lattice, int side, int k)
+/// Makes room for the own cells, shape after shape.
+void make_runs(const RegionCells& cells, const std::vector<BlockShare>& shares, mesh::Mesh& mesh)
 {
-  const double t = skeleton.parameter[lattice.side_number(side, k)];
-  return lattice.forward[side] ? t : 1.0 - t;
+  RegionCells::ShapeCounts counts{};
+  for (const BlockShare& share : shares)
+    add_counts(cells.cells(share.block), share.begin, share.end, counts);
+  std::int64_t cell = 0;
+  std::int64_t entry = 0;
+  for (std::size_t shape = 0; shape < counts.size(); ++shape)
+  {
+    if (counts[shape] == 0)
+      continue;
+    const auto of = static_cast<element::Shape>(shape);
+    mesh.runs.push_back(
+        {of, static_cast<std::int32_t>(cell), static_cast<std::int32_t>(counts[shape]), entry});
+    cell += counts[shape];
+    entry += counts[shape] * element::lattice_size(of, mesh.order);
+  }
+  mesh.cells.resize(entry);
+  mesh.cell_block.resize(cell);
 }
 
-/// What placing node (i, j) within a block takes. The graded coordinates are the fixed point of the blend of
-/// the parameters on opposite sides, u = (1 - v) bottom + v top, v = (1 - u) left + u right (formulation.md
-/// 3).
-Plan::Inner inner_node(const Skeleton& skeleton, const BlockLattice& lattice, std::int32_t local, int i,
-                       int j)
+/// Where the next cell of each shape goes.
+struct Next
 {
-  const double bottom = side_parameter(skeleton, lattice, 0, i);
-  const double right = side_parameter(skeleton, lattice, 1, j);
-  const double top = side_parameter(skeleton, lattice, 2, i);
-  const double left = side_parameter(skeleton, lattice, 3, j);
-  const double determinant = 1.0 - (right - left) * (top - bottom);
-  Plan::Inner inner{};
-  inner.node = local;
-  for (int side = 0; side < 4; ++side)
-    inner.side[side] = static_cast<std::int32_t>(lattice.side_number(side, side % 2 == 0 ? i : j));
-  inner.corner = lattice.points;
-  inner.u = (bottom + left * (top - bottom)) / determinant;
-  inner.v = (left + bottom * (right - left)) / determinant;
-  return inner;
+  std::array<std::int32_t, element::shape_count> cell{};
+  std::array<std::int32_t*, element::shape_count> row{};
+};
+
+/// A side of a cell kind that lies on a boundary for some boxes of the row at hand.
+struct Touch
+{
+  BlockCells::Boxes boxes;
+  int side;
+  const std::vector<std::vector<mesh::Side>*>* lists;
+};
+
+/// Writes the cells of a block.
+class Writer
+{
+public:
+  Writer(const RegionCells& cells, const BlockShare& share, const Lists& lists, bool with_numbers,
+         mesh::Mesh& mesh, Next& next)
+      : cells_(cells.cells(share.block)), lattice_(cells.lattice(share.block)), share_(share), lists_(lists),
+        mesh_(mesh), next_(next), number_(cells.first_of_shape(share.block)), with_numbers_(with_numbers),
+        stride_(lattice_.nodes.steps[0] + 1)
+  {
+    const std::size_t lines = static_cast<std::size_t>(mesh.order) + 1;
+    numbers_.resize(stride_ * lines * (mesh.dim == 2 ? 1 : lines));
+    for (const CellKind& kind : cells_.kinds())
+    {
+      std::vector<std::int32_t> offsets;
+      for (const element::LatticePoint& node : kind.nodes)
+        offsets.push_back(
+            static_cast<std::int32_t>(node[0] + static_cast<std::int64_t>(stride_) * line(node[1], node[2])));
+      offsets_.push_back(std::move(offsets));
+    }
+  }
+
+  void write()
+  {
+    for (int k = 0; k < cells_.level_count(); ++k)
+      for (int j = 0; j < cells_.row_count(k); ++j)
+      {
+        if (cells_.row_end(j, k) <= share_.begin || cells_.row_begin(j, k) >= share_.end)
+          skip_row(j, k);
+        else
+          write_row(j, k);
+      }
+  }
+
+private:
+  std::int64_t line(int dj, int dk) const { return dj + static_cast<std::int64_t>(mesh_.order + 1) * dk; }
+
+  void skip_row(int j, int k)
+  {
+    for (const CellKind& kind : cells_.kinds())
+      number_[static_cast<std::size_t>(kind.shape)] += cells_.count_in_row(kind, j, k);
+  }
+
+  /// Local numbers of the nodes in the rows of the lattice that the row of boxes touches.
+  void read_lines(int j, int k)
+  {
+    const int p = mesh_.order;
+    const int levels = mesh_.dim == 2 ? 0 : p;
+    for (int dk = 0; dk <= levels; ++dk)
+      for (int dj = 0; dj <= p; ++dj)
+        if (p * j + dj < row_count(lattice_.nodes, p * k + dk))
+          share_.read_row(lattice_, p * j + dj, p * k + dk, numbers_.data() + stride_ * line(dj, dk));
+  }
+
+  void find_touches(int j, int k)
+  {
+    touches_.assign(cells_.kinds().size(), {});
+    for (std::size_t q = 0; q < touches_.size(); ++q)
+      for (const CellKind::OnWall& wall : cells_.kinds()[q].walls)
+      {
+        const BlockCells::Boxes boxes = cells_.on_wall(wall, cells_.kinds()[q], j, k);
+        const auto& lists = lists_[side_at(lattice_.nodes.shape, wall.wall)];
+        if (boxes.first <= boxes.last && !lists.empty())
+          touches_[q].push_back({boxes, wall.side, &lists});
+      }
+  }
+
+  void write_row(int j, int k)
+  {
+    read_lines(j, k);
+    find_touches(j, k);
+    const auto kinds = cells_.kinds();
+    std::array<int, 8> counts{};
+    for (std::size_t q = 0; q < kinds.size(); ++q)
+      counts[q] = cells_.count_in_row(kinds[q], j, k);
+    std::int64_t cell = cells_.row_begin(j, k);
+    for (int i = 0; i < cells_.box_count(j, k); ++i)
+      for (std::size_t q = 0; q < kinds.size(); ++q)
+      {
+        if (i >= counts[q])
+          continue;
+        if (cell >= share_.begin && cell < share_.end)
+          write_cell(q, i);
+        ++number_[static_cast<std::size_t>(kinds[q].shape)];
+        ++cell;
+      }
+  }
+
+  void write_cell(std::size_t q, int i)
+  {
+    const auto shape = static_cast<std::size_t>(cells_.kinds()[q].shape);
+    const std::int32_t* from = numbers_.data() + static_cast<std::ptrdiff_t>(i) * mesh_.order;
+    std::int32_t* to = next_.row[shape];
+    for (const std::int32_t offset : offsets_[q])
+      *to++ = from[offset];
+    next_.row[shape] = to;
+    const std::int32_t local = next_.cell[shape]++;
+    mesh_.cell_block[local] = share_.block;
+    if (with_numbers_)
+      mesh_.cell_number[local] = number_[shape];
+    for (const Touch& touch : touches_[q])
+      if (i >= touch.boxes.first && i <= touch.boxes.last)
+        for (std::vector<mesh::Side>* list : *touch.lists)
+          list->push_back({local, touch.side});
+  }
+
+  const BlockCells& cells_;
+  const BlockLattice& lattice_;
+  const BlockShare& share_;
+  const Lists& lists_;
+  mesh::Mesh& mesh_;
+  Next& next_;
+  RegionCells::ShapeCounts number_;
+  bool with_numbers_;
+  std::size_t stride_;
+  std::vector<std::int32_t> numbers_;
+  std::vector<std::vector<std::int32_t>> offsets_;
+  std::vector<std::vector<Touch>> touches_;
+};
+
+void write_cells(const Layout& layout, const Skeleton& skeleton, const RegionCells& cells,
+                 const std::vector<BlockShare>& shares, bool with_numbers, mesh::Mesh& mesh)
+{
+  make_runs(cells, shares, mesh);
+  if (with_numbers)
+    mesh.cell_number.resize(mesh.cell_block.size());
+  Next next;
+  for (const mesh::CellRun& run : mesh.runs)
+  {
+    next.cell[static_cast<std::size_t>(run.shape)] = run.first;
+    next.row[static_cast<std::size_t>(run.shape)] = mesh.cells.data() + run.entry;
+  }
+  // Every process knows the same names.
+  for (const int block : cells.blocks())
+    lists_of(layout, skeleton, cells, block, mesh);
+  for (const BlockShare& share : shares)
+  {
+    const Lists lists = lists_of(layout, skeleton, cells, share.block, mesh);
+    Writer(cells, share, lists, with_numbers, mesh, next).write();
+  }
+  for (auto& [name, sides] : mesh.boundaries)
+    std::sort(sides.begin(), sides.end(),
+              [](const mesh::Side& a, const mesh::Side& b)
+              { return std::pair(a.cell, a.side) < std::pair(b.cell, b.side); });
 }
 
-Plan make_plan(const Skeleton& skeleton, const RegionCells& cells, const mesh::Mesh& mesh)
+/// Graded parameters of the nodes on the edges of a block, in their directions in the block.
+EdgeParameters edge_parameters(const Layout& layout, const Skeleton& skeleton, int block)
+{
+  EdgeParameters parameters;
+  for (std::size_t e = 0; e < skeleton.block_edges[block].size(); ++e)
+  {
+    const PlacedEdge& edge = skeleton.edges[skeleton.block_edges[block][e]];
+    parameters.push_back(
+        directed_parameters(skeleton, edge, edge_ends(layout.blocks[block], static_cast<int>(e))[0]));
+  }
+  return parameters;
+}
+
+Plan make_plan(const Layout& layout, const Skeleton& skeleton, const RegionCells& cells,
+               std::vector<BlockShare>& shares, const LocalSkeleton& local)
 {
   Plan plan;
   plan.dim = skeleton.dim;
-  for (std::size_t n = 0; n < mesh.node_count(); ++n)
+  plan.whole_skeleton = local.count == skeleton.count;
+  if (!plan.whole_skeleton)
+    for (std::int64_t number = 0; number < skeleton.count; ++number)
+      if (local.node[number] >= 0)
+      {
+        plan.skeleton_node.push_back(local.node[number]);
+        plan.skeleton_number.push_back(number);
+      }
+  std::size_t work = 0;
+  for (BlockShare& share : shares)
   {
-    const auto local = static_cast<std::int32_t>(n);
-    const std::int64_t node = mesh.lattice[n];
-    if (node < skeleton.count)
-    {
-      plan.skeleton_node.push_back(local);
-      plan.skeleton_number.push_back(node);
-      continue;
-    }
-    const BlockLattice& lattice = cells.lattice(cells.block_of(node));
-    const std::int64_t k = node - lattice.first_inner;
-    const int i = static_cast<int>(k % (lattice.columns - 1)) + 1;
-    const int j = static_cast<int>(k / (lattice.columns - 1)) + 1;
-    plan.inner.push_back(inner_node(skeleton, lattice, local, i, j));
+    const BlockLattice& lattice = cells.lattice(share.block);
+    BlockPlan& block = plan.blocks.emplace_back();
+    block.grid = lattice.nodes;
+    std::copy(lattice.corners.begin(), lattice.corners.end(), block.corners.begin());
+    block.sides = lattice.sides;
+    block.rows = share.rows(lattice);
+    set_reference(edge_parameters(layout, skeleton, share.block), block);
+    work = std::max(work, work_size(block, skeleton.dim));
   }
+  plan.work.resize(work);
   return plan;
 }
 
@@ -181,25 +277,25 @@ Plan make_plan(const Skeleton& skeleton, const RegionCells& cells, const mesh::M
 Connected connect(const Layout& layout, const Skeleton& skeleton, std::string_view region, Part part)
 {
   const RegionCells cells(layout, skeleton, region);
-  const std::vector<Run> runs = own_runs(cells, part);
+  std::vector<BlockShare> shares = own_shares(cells, part);
   Connected connected;
   mesh::Mesh& mesh = connected.mesh;
   mesh.dim = skeleton.dim;
   mesh.order = skeleton.order;
   mesh.total_cell_count = cells.cell_count();
   mesh.total_node_count = cells.node_count();
-  name_boundaries(layout, cells, mesh);
-  for (const Run& run : runs)
-    add_cells(layout, cells, run, mesh);
-  number_nodes(cells, own_rows(cells, runs, skeleton.order), part.size, mesh);
-  mesh.local_node_count = mesh.lattice.size();
-  mesh.runs = {{element::Shape::quadrilateral, 0, static_cast<std::int32_t>(mesh.cell_count()), 0}};
+  const LocalSkeleton local = number_nodes(skeleton, cells, shares);
+  mesh.local_node_count = local.node_count;
+  const bool identity = region.empty() && part.size == 1;
+  if (!identity)
+    name_nodes(skeleton, cells, shares, local, part, mesh);
+  write_cells(layout, skeleton, cells, shares, !identity, mesh);
   for (const Block& block : layout.blocks)
   {
     mesh.block_names.push_back(block.name);
     mesh.block_regions.push_back(block.region);
   }
-  connected.plan = make_plan(skeleton, cells, mesh);
+  connected.plan = make_plan(layout, skeleton, cells, shares, local);
   return connected;
 }
 

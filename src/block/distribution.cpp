@@ -26,12 +26,35 @@ struct Target
 /// Relative sizes asked for at the start and the end of a strip; 1: nobody asks.
 using EndSizes = std::array<double, 2>;
 
-bool edge_is_on(const Layout& layout, const PlacedEdge& edge, const std::string& name)
+void enter(const Topology& topology, int edge, Target& target)
 {
-  if (edge.boundary >= 0 && layout.boundaries[edge.boundary].name == name)
-    return true;
-  return std::any_of(edge.blocks.begin(), edge.blocks.end(),
-                     [&](int block) { return layout.blocks[block].region == name; });
+  target.edges[edge] = true;
+  target.points[topology.edges[edge].a] = true;
+  target.points[topology.edges[edge].b] = true;
+}
+
+/// Enters the edges of a boundary or a region; returns whether it exists.
+bool enter(const Layout& layout, const Topology& topology, const std::string& name, Target& target)
+{
+  bool found = false;
+  for (int side = 0; side < side_count(topology); ++side)
+  {
+    const int boundary = side_boundary(topology, side);
+    if (boundary < 0 || layout.boundaries[boundary].name != name)
+      continue;
+    found = true;
+    for (const int edge : side_edges(topology, side))
+      enter(topology, edge, target);
+  }
+  for (std::size_t b = 0; b < layout.blocks.size(); ++b)
+  {
+    if (layout.blocks[b].region != name)
+      continue;
+    found = true;
+    for (const int edge : topology.block_edges[b])
+      enter(topology, edge, target);
+  }
+  return found;
 }
 
 Error unknown_name(const Layout& layout, const GradeTowards& grade, const std::string& name)
@@ -53,19 +76,8 @@ Target find_target(const Layout& layout, const Topology& topology, const GradeTo
   Target target{std::vector<bool>(layout.points.size(), false),
                 std::vector<bool>(topology.edges.size(), false)};
   for (const std::string& name : grade.names)
-  {
-    bool found = false;
-    for (std::size_t e = 0; e < topology.edges.size(); ++e)
-      if (edge_is_on(layout, topology.edges[e], name))
-      {
-        found = true;
-        target.edges[e] = true;
-        target.points[topology.edges[e].a] = true;
-        target.points[topology.edges[e].b] = true;
-      }
-    if (!found)
+    if (!enter(layout, topology, name, target))
       throw unknown_name(layout, grade, name);
-  }
   return target;
 }
 

@@ -34,6 +34,23 @@ struct Edge
   Location where;
 };
 
+/// The face is the transfinite surface of its edges: where nothing else is said.
+struct Interpolated
+{
+};
+
+/// What shapes the inside of a face in 3D; its edges have curves of their own.
+using FaceGeometry = std::variant<Interpolated>;
+
+/// What the user says of one face in 3D; faces that nobody mentions are interpolated.
+struct Face
+{
+  std::vector<int>
+      points;  ///< its three or four corners, one after the other round the face, from any of them
+  FaceGeometry geometry;
+  Location where;
+};
+
 /// A coarse cell over its corners, which have the order of element::corners: those of a quadrilateral run
 /// counter-clockwise, u along its side 0 (point 0 to 1), v along its side 3 (point 0 to 3).
 struct Block
@@ -45,7 +62,7 @@ struct Block
   element::Shape shape = element::Shape::quadrilateral;
 };
 
-/// Boundary of all edges whose initial nodes fulfil a condition.
+/// Boundary of all sides whose initial nodes fulfil a condition.
 struct ByCondition
 {
   Condition condition;
@@ -64,12 +81,19 @@ struct ByEdges
   std::vector<std::array<int, 2>> edges;
 };
 
-/// A named boundary. An edge can belong to one boundary only. Conditions see outer edges only; holes and
-/// lists may also name edges between two regions. The name "interface" is reserved for these.
+/// Boundary of listed faces in 3D, each by its corners in any order.
+struct ByFaces
+{
+  std::vector<std::vector<int>> faces;
+};
+
+/// A named boundary, made of sides of blocks: edges in 2D, faces in 3D. A side can belong to one boundary
+/// only. Conditions see outer sides only; holes and lists may also name sides between two regions. The name
+/// "interface" is reserved for these.
 struct Boundary
 {
   std::string name;
-  std::variant<ByCondition, ByHole, ByEdges> rule;
+  std::variant<ByCondition, ByHole, ByEdges, ByFaces> rule;
   Location where;
 };
 
@@ -101,6 +125,7 @@ struct Layout
   std::vector<Point> points;
   std::vector<Block> blocks;
   std::vector<Edge> edges;
+  std::vector<Face> faces;  ///< 3D only
   std::vector<Boundary> boundaries;
   std::vector<HoleEdge> hole_edges;
   std::vector<GradeTowards> grade_towards;

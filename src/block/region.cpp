@@ -20,7 +20,7 @@ double center_x(const Layout& layout, int block)
   double sum = 0.0;
   for (const int point : layout.blocks[block].points)
     sum += layout.points[point].x[0];
-  return sum;
+  return sum / static_cast<double>(layout.blocks[block].points.size());
 }
 
 std::vector<int> sorted_blocks(const Layout& layout, std::string_view region)
@@ -41,34 +41,66 @@ std::vector<int> sorted_blocks(const Layout& layout, std::string_view region)
   return blocks;
 }
 
+/// The diagonal of a tetrahedron's octahedra (BlockCells) that is shortest where its edges are straight; it
+/// stays the same however the block moves.
+int shortest_diagonal(const Layout& layout, const Block& block)
+{
+  if (block.shape != element::Shape::tetrahedron)
+    return 0;
+  const auto edge = [&](int corner, int c)
+  { return layout.points[block.points[corner]].x[c] - layout.points[block.points[0]].x[c]; };
+  std::array<double, 3> length{};
+  for (int d = 0; d < 3; ++d)
+    for (int c = 0; c < 3; ++c)
+    {
+      const double sum = edge(1, c) + edge(2, c) + edge(3, c);
+      length[d] += (sum - 2.0 * edge(d + 1, c)) * (sum - 2.0 * edge(d + 1, c));
+    }
+  return static_cast<int>(std::min_element(length.begin(), length.end()) - length.begin());
+}
+
 }  // namespace
 
 RegionCells::RegionCells(const Layout& layout, const Skeleton& skeleton, std::string_view region)
-    : skeleton_(skeleton), blocks_(sorted_blocks(layout, region)), first_cell_(layout.blocks.size(), -1)
+    : skeleton_(skeleton), blocks_(sorted_blocks(layout, region)), lattices_(layout.blocks.size()),
+      first_cell_(layout.blocks.size(), -1), first_of_shape_(layout.blocks.size())
 {
+  std::vector<bool> wanted(layout.blocks.size(), false);
+  for (const int block : blocks_)
+    wanted[block] = true;
   for (std::size_t b = 0; b < layout.blocks.size(); ++b)
-    lattices_.push_back(block_lattice(layout, skeleton, static_cast<int>(b)));
+  {
+    const int block = static_cast<int>(b);
+    if (wanted[b])
+      lattices_[b] = block_lattice(layout, skeleton, block);
+    const Grid corners = wanted[b] ? lattices_[b].cells : Grid{layout.blocks[b].shape, {}};
+    cells_.emplace_back(corners, skeleton.order, shortest_diagonal(layout, layout.blocks[b]));
+  }
   for (const int block : blocks_)
   {
     first_cell_[block] = cell_count_;
-    cell_count_ += lattices_[block].cell_count();
+    cell_count_ += cells_[block].count();
   }
-  find_lowest_at_points();
+  count_shapes();
 }
 
-void RegionCells::find_lowest_at_points()
+void RegionCells::count_shapes()
 {
-  lowest_at_point_.assign(skeleton_.point_count, cell_count_);
-  for (const int block : blocks_)
-    for (int side = 0; side < 4; ++side)
+  ShapeCounts sum{};
+  const auto count = [this](const BlockCells& cells, std::size_t shape)
+  {
+    std::int64_t result = 0;
+    for (const CellKind& kind : cells.kinds())
+      if (static_cast<std::size_t>(kind.shape) == shape)
+        result += cells.count_of(kind);
+    return result;
+  };
+  std::int64_t next = 0;
+  for (std::size_t shape = 0; shape < sum.size(); ++shape)
+    for (const int block : blocks_)
     {
-      const BlockLattice& lattice = lattices_[block];
-      for (const int k : {0, side % 2 == 0 ? lattice.columns : lattice.rows})
-      {
-        const auto [i, j] = lattice.on_side(side, k);
-        std::int64_t& lowest = lowest_at_point_[lattice.number(i, j)];
-        lowest = std::min(lowest, first_cell_[block] + lattice.lowest_cell(i, j));
-      }
+      first_of_shape_[block][shape] = next;
+      next += count(cells_[block], shape);
     }
 }
 
@@ -83,57 +115,38 @@ int RegionCells::rank_of_cell(std::int64_t cell, int size) const
   return static_cast<int>(((cell + 1) * size - 1) / cell_count_);
 }
 
-int RegionCells::block_of(std::int64_t node) const
+std::vector<std::int64_t> RegionCells::lowest_cells() const
 {
-  const auto& first = skeleton_.block_first;
-  return static_cast<int>(std::upper_bound(first.begin(), first.end(), node) - first.begin()) - 1;
-}
-
-std::int64_t RegionCells::lowest_on_edge(std::int64_t node) const
-{
-  const auto after = std::upper_bound(skeleton_.edges.begin(), skeleton_.edges.end(), node,
-                                      [](std::int64_t n, const PlacedEdge& edge) { return n < edge.first; });
-  const PlacedEdge& edge = *(after - 1);
-  const int along = static_cast<int>(node - edge.first) + 1;
-  std::int64_t lowest = cell_count_;
-  for (const int block : edge.blocks)
+  std::vector<std::int64_t> lowest(skeleton_.count, cell_count_);
+  for (const int block : blocks_)
   {
-    if (!contains(block))
-      continue;
     const BlockLattice& lattice = lattices_[block];
-    const auto side = std::find(lattice.edges.begin(), lattice.edges.end(), &edge) - lattice.edges.begin();
-    const int k = lattice.forward[side] ? along : static_cast<int>(edge.count) + 1 - along;
-    const auto [i, j] = lattice.on_side(static_cast<int>(side), k);
-    lowest = std::min(lowest, first_cell_[block] + lattice.lowest_cell(i, j));
+    for (std::size_t side = 0; side < lattice.sides.size(); ++side)
+    {
+      const SideFrame frame = side_frame(lattice.nodes, static_cast<int>(side));
+      const Grid& grid = lattice.side_grids[side];
+      const std::int32_t* node = lattice.sides[side].data();
+      for (int t = 0; t < row_count(grid, 0); ++t)
+        for (int s = 0; s < row_length(grid, t, 0); ++s, ++node)
+          lowest[*node] =
+              std::min(lowest[*node], first_cell_[block] + cells_[block].lowest_cell(frame.at(s, t)));
+    }
   }
   return lowest;
 }
 
-std::int64_t RegionCells::lowest_cell(std::int64_t node) const
-{
-  if (node < skeleton_.point_count)
-    return lowest_at_point_[node];
-  if (node < skeleton_.count)
-    return lowest_on_edge(node);
-  const int block = block_of(node);
-  const BlockLattice& lattice = lattices_[block];
-  const std::int64_t k = node - lattice.first_inner;
-  const int i = static_cast<int>(k % (lattice.columns - 1)) + 1;
-  const int j = static_cast<int>(k / (lattice.columns - 1)) + 1;
-  return first_cell_[block] + lattice.lowest_cell(i, j);
-}
-
 std::int64_t RegionCells::node_count() const
 {
+  std::vector<bool> used(skeleton_.count, false);
   std::int64_t count = 0;
-  for (const std::int64_t lowest : lowest_at_point_)
-    count += lowest < cell_count_ ? 1 : 0;
-  for (const PlacedEdge& edge : skeleton_.edges)
-    if (std::any_of(edge.blocks.begin(), edge.blocks.end(), [this](int block) { return contains(block); }))
-      count += edge.count;
   for (const int block : blocks_)
+  {
+    for (const auto& side : lattices_[block].sides)
+      for (const std::int32_t node : side)
+        used[node] = true;
     count += skeleton_.block_first[block + 1] - skeleton_.block_first[block];
-  return count;
+  }
+  return count + std::count(used.begin(), used.end(), true);
 }
 
 }  // namespace blockfsi::block

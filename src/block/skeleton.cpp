@@ -1,7 +1,10 @@
+#include "block/blend.hpp"
 #include "block/boundaries.hpp"
 #include "block/connect.hpp"
 #include "block/distribution.hpp"
 #include "block/message.hpp"
+#include "block/numbering.hpp"
+#include "block/reference.hpp"
 #include "block/strips.hpp"
 #include "block/topology.hpp"
 #include "element/line.hpp"
@@ -15,7 +18,7 @@ namespace blockfsi::block
 namespace
 {
 
-/// Numbers points, edges and blocks one after the other.
+/// Numbers points, edges, faces and blocks one after the other.
 void number(const Layout& layout, Skeleton& skeleton)
 {
   const int order = skeleton.order;
@@ -26,11 +29,19 @@ void number(const Layout& layout, Skeleton& skeleton)
     edge.count = static_cast<std::int64_t>(edge.divisions) * order - 1;
     next += edge.count;
   }
+  for (PlacedFace& face : skeleton.faces)
+  {
+    const int last = element::corner_count(face.shape) - 1;
+    face.divisions = {skeleton.edges[face.edges[0]].divisions, skeleton.edges[face.edges[last]].divisions};
+    face.first = next;
+    face.count = size(interior(face_grid(face, order)));
+    next += face.count;
+  }
   skeleton.count = next;
   skeleton.block_first.push_back(next);
-  for (const auto& sides : skeleton.block_edges)
+  for (std::size_t b = 0; b < layout.blocks.size(); ++b)
   {
-    next += skeleton.edges[sides[0]].count * skeleton.edges[sides[3]].count;
+    next += size(interior(block_grid(layout.blocks[b], skeleton.block_edges[b], skeleton.edges, order)));
     skeleton.block_first.push_back(next);
   }
 }
@@ -62,6 +73,44 @@ void place_edge(const Layout& layout, const Topology& topology, int e, const std
   }
 }
 
+/// Graded parameters of the nodes of a face's edges, in their directions in the face.
+EdgeParameters edge_parameters(const Skeleton& skeleton, const PlacedFace& face)
+{
+  EdgeParameters parameters;
+  const auto edges = element::edges(face.shape);
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    parameters.push_back(
+        directed_parameters(skeleton, skeleton.edges[face.edges[e]], face.points[edges[e][0]]));
+  return parameters;
+}
+
+/// Inner nodes of a face between its edges.
+void place_face(const PlacedFace& face, Skeleton& skeleton)
+{
+  BlockPlan plan;
+  plan.grid = face_grid(face, skeleton.order);
+  std::copy(face.points.begin(), face.points.end(), plan.corners.begin());
+  const auto sides = element::sides(face.shape);
+  for (std::size_t side = 0; side < sides.size(); ++side)
+  {
+    const PlacedEdge& edge = skeleton.edges[face.edges[side]];
+    plan.sides.push_back(edge_numbers(edge));
+    if (edge.a != face.points[sides[side].corners[0]])
+      std::reverse(plan.sides.back().begin(), plan.sides.back().end());
+  }
+  const Grid inner = interior(plan.grid);
+  auto node = static_cast<std::int32_t>(face.first);
+  for (int j = 0; face.count > 0 && j < row_count(inner, 0); ++j)
+  {
+    const int length = row_length(inner, j, 0);
+    plan.rows.push_back({j + 1, 0, 1, length + 1, node});
+    node += length;
+  }
+  set_reference(edge_parameters(skeleton, face), plan);
+  std::vector<double> work(work_size(plan, skeleton.dim));
+  blend(plan, skeleton.dim, skeleton.x.data(), work.data(), skeleton.x.data());
+}
+
 void check_finite(const Layout& layout, const Skeleton& skeleton)
 {
   for (const PlacedEdge& edge : skeleton.edges)
@@ -72,32 +121,61 @@ void check_finite(const Layout& layout, const Skeleton& skeleton)
                           " has no finite value at one of its nodes; correct its formula");
 }
 
+/// Coordinates of edges and faces for given parameters of the cell corners on each edge.
+void place_all(const Layout& layout, const Topology& topology,
+               const std::vector<std::vector<double>>& corners, Skeleton& skeleton)
+{
+  const std::vector<double> inner = element::lobatto(layout.order);
+  for (std::size_t e = 0; e < skeleton.edges.size(); ++e)
+    place_edge(layout, topology, static_cast<int>(e), corners[e], inner, skeleton);
+  check_finite(layout, skeleton);
+  for (const PlacedFace& face : skeleton.faces)
+    place_face(face, skeleton);
+}
+
+/// Cells of equal size on all edges.
+std::vector<std::vector<double>> equal_cells(const Topology& topology)
+{
+  std::vector<std::vector<double>> corners;
+  for (const PlacedEdge& edge : topology.edges)
+    corners.push_back(parameters(Uniform{}, edge.divisions, 1.0));
+  return corners;
+}
+
 }  // namespace
 
 Skeleton make_skeleton(const Layout& layout)
 {
   Topology topology = make_topology(layout);
-  const std::vector<Strip> strips = make_strips(layout, topology);
-  const std::vector<int> divisions = strip_divisions(layout, topology, strips);
-  for (std::size_t s = 0; s < strips.size(); ++s)
-    for (const int edge : strips[s].edges)
-      topology.edges[edge].divisions = divisions[s];
-  assign_boundaries(layout, topology);
-  const std::vector<std::vector<double>> corners = distribute(layout, topology, strips);
+  const std::vector<int> divisions = divide(layout, topology);
+  for (std::size_t e = 0; e < topology.edges.size(); ++e)
+    topology.edges[e].divisions = divisions[e];
 
   Skeleton skeleton;
   skeleton.dim = layout.dim;
   skeleton.order = layout.order;
   skeleton.edges = topology.edges;
+  skeleton.faces = topology.faces;
   skeleton.block_edges = topology.block_edges;
+  skeleton.block_sides = topology.block_sides;
   number(layout, skeleton);
   skeleton.x.resize(skeleton.count * skeleton.dim);
   skeleton.parameter.assign(skeleton.count, 0.0);
   place_points(layout, skeleton);
-  const std::vector<double> inner = element::lobatto(layout.order);
-  for (std::size_t e = 0; e < skeleton.edges.size(); ++e)
-    place_edge(layout, topology, static_cast<int>(e), corners[e], inner, skeleton);
-  check_finite(layout, skeleton);
+
+  // Gradings may refer to boundaries and these to where nodes are, which curves and surfaces decide: nodes at
+  // equal distances serve to find the boundaries.
+  const std::vector<std::vector<double>> equal = equal_cells(topology);
+  place_all(layout, topology, equal, skeleton);
+  assign_boundaries(layout, skeleton);
+  for (std::size_t e = 0; e < topology.edges.size(); ++e)
+    topology.edges[e].boundary = skeleton.edges[e].boundary;
+  for (std::size_t f = 0; f < topology.faces.size(); ++f)
+    topology.faces[f].boundary = skeleton.faces[f].boundary;
+  const std::vector<std::vector<double>> corners =
+      distribute(layout, topology, make_strips(layout, topology));
+  if (corners != equal)
+    place_all(layout, topology, corners, skeleton);
   return skeleton;
 }
 
@@ -105,19 +183,18 @@ std::vector<std::int64_t> interface_nodes(const Layout& layout, const Skeleton& 
                                           std::string_view region_a, std::string_view region_b)
 {
   std::vector<std::int64_t> nodes;
-  for (const PlacedEdge& edge : skeleton.edges)
+  for (int side = 0; side < side_count(skeleton); ++side)
   {
-    if (edge.blocks.size() != 2)
+    const std::vector<int>& blocks = side_blocks(skeleton, side);
+    if (blocks.size() != 2)
       continue;
-    const std::string_view first = layout.blocks[edge.blocks[0]].region;
-    const std::string_view second = layout.blocks[edge.blocks[1]].region;
+    const std::string_view first = layout.blocks[blocks[0]].region;
+    const std::string_view second = layout.blocks[blocks[1]].region;
     if (first == second ||
         !((first == region_a && second == region_b) || (first == region_b && second == region_a)))
       continue;
-    nodes.push_back(edge.a);
-    nodes.push_back(edge.b);
-    for (std::int64_t k = 0; k < edge.count; ++k)
-      nodes.push_back(edge.first + k);
+    const std::vector<std::int32_t> numbers = side_numbers(skeleton, side);
+    nodes.insert(nodes.end(), numbers.begin(), numbers.end());
   }
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());

@@ -1,10 +1,13 @@
 #include "block/topology.hpp"
 
+#include "block/check.hpp"
 #include "block/message.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -15,93 +18,79 @@ namespace
 {
 
 using EdgeOfPoints = std::map<std::pair<int, int>, int>;
+using FaceOfPoints = std::map<std::vector<int>, int>;
+
+/// Edges and faces by their points.
+struct Known
+{
+  EdgeOfPoints edges;
+  FaceOfPoints faces;
+};
 
 std::pair<int, int> key(int a, int b)
 {
   return std::minmax(a, b);
 }
 
-void check_numbers(const Layout& layout)
+std::vector<int> key(std::span<const int> points)
 {
-  if (layout.dim != 2)
-    throw Error(fmt::format("the layout has {} dimensions; only 2 are supported", layout.dim));
-  if (layout.order < 1 || layout.order > 8)
-    throw Error(fmt::format("the order of the mesh is {}; it must be 1 to 8", layout.order));
-  if (layout.blocks.empty())
-    throw Error("the layout has no blocks; draw a lattice or give single blocks");
+  std::vector<int> sorted(points.begin(), points.end());
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
 }
 
-void check_points_used(const Layout& layout)
+/// Two blocks at a side lie on either side of it just if their sides' outward cycles run against each other.
+bool runs_along(const Layout& layout, const Topology& topology, int b, int side)
 {
-  std::vector<bool> used(layout.points.size(), false);
-  for (const Block& block : layout.blocks)
-    for (const int point : block.points)
-      used[point] = true;
-  const auto unused = std::find(used.begin(), used.end(), false);
-  if (unused == used.end())
+  const Block& block = layout.blocks[b];
+  const element::SideShape& of = element::sides(block.shape)[side];
+  const std::vector<int> points = side_points(topology, topology.block_sides[b][side]);
+  const auto first = std::find(points.begin(), points.end(), block.points[of.corners[0]]) - points.begin();
+  const bool same = points[(first + 1) % points.size()] == block.points[of.corners[1]];
+  if (topology.dim == 2)
+    return (first == 0) == of.outward;
+  return same == of.outward;
+}
+
+void check_neighbours(const Layout& layout, const Topology& topology, int side)
+{
+  const std::vector<int>& blocks = side_blocks(topology, side);
+  if (blocks.size() != 2)
     return;
-  const int point = static_cast<int>(unused - used.begin());
-  throw mistake(
-      layout.points[point].where,
-      fmt::format("the point {} is used by no block; use it or remove it", point_text(layout, point)));
-}
-
-/// Twice the signed area of the triangle at corner c: positive where the corners run counter-clockwise.
-double corner_area(const Layout& layout, const Block& block, int c)
-{
-  const auto& at = layout.points[block.points[c]].x;
-  const auto& next = layout.points[block.points[(c + 1) % 4]].x;
-  const auto& before = layout.points[block.points[(c + 3) % 4]].x;
-  return (next[0] - at[0]) * (before[1] - at[1]) - (next[1] - at[1]) * (before[0] - at[0]);
-}
-
-/// All four corners must turn left, else the transfinite map has a Jacobian <= 0 there.
-void check_corners(const Layout& layout, const Block& block)
-{
-  int wrong_count = 0;
-  int wrong_corner = 0;
-  for (int c = 0; c < 4; ++c)
-    if (!(corner_area(layout, block, c) > 0.0))
-    {
-      ++wrong_count;
-      wrong_corner = c;
-    }
-  if (wrong_count == 4)
-    throw mistake(block.where,
-                  fmt::format("the block '{}' is inside out: its points run clockwise; list them "
-                              "counter-clockwise, that is {}, {}, {}, {}",
-                              block.name, point_text(layout, block.points[0]),
-                              point_text(layout, block.points[3]), point_text(layout, block.points[2]),
-                              point_text(layout, block.points[1])));
-  if (wrong_count > 0)
-    throw mistake(block.where,
-                  fmt::format("the block '{}' is inside out at its corner {}: the angle there must be "
-                              "between 0 and 180 degrees; move or reorder its points",
-                              block.name, point_text(layout, block.points[wrong_corner])));
-}
-
-/// Two blocks at an edge lie on either side of it just if they run along it in opposite directions.
-void check_neighbours(const Layout& layout, const PlacedEdge& edge)
-{
-  const auto forward = [&layout, &edge](int b)
+  std::array<bool, 2> along{};
+  for (std::size_t i = 0; i < 2; ++i)
   {
-    const auto& p = layout.blocks[b].points;
-    return std::any_of(p.begin(), p.end(),
-                       [&](const int& q) { return q == edge.a && p[(&q - p.data() + 1) % 4] == edge.b; });
-  };
-  if (edge.blocks.size() == 2 && forward(edge.blocks[0]) == forward(edge.blocks[1]))
-    throw mistake(
-        layout.blocks[edge.blocks[1]].where,
-        fmt::format("the blocks '{}' and '{}' lie on the same side of their common edge {}, so they overlap; "
-                    "remove or reorder one of them",
-                    layout.blocks[edge.blocks[0]].name, layout.blocks[edge.blocks[1]].name,
-                    edge_text(layout, edge.a, edge.b)));
+    const std::vector<int>& sides = topology.block_sides[blocks[i]];
+    const auto at = std::find(sides.begin(), sides.end(), side) - sides.begin();
+    along[i] = runs_along(layout, topology, blocks[i], static_cast<int>(at));
+  }
+  if (along[0] == along[1])
+    throw mistake(layout.blocks[blocks[1]].where,
+                  fmt::format("the blocks '{}' and '{}' lie on the same side of their common {}, so they "
+                              "overlap; remove or reorder one of them",
+                              layout.blocks[blocks[0]].name, layout.blocks[blocks[1]].name,
+                              side_text(layout, side_points(topology, side))));
 }
 
-int edge_of_side(Topology& topology, EdgeOfPoints& known, std::array<int, 2> ends)
+/// Enters a block at a side of it.
+void claim_side(const Layout& layout, int b, const std::vector<int>& points, std::vector<int>& blocks)
+{
+  if (std::find(blocks.begin(), blocks.end(), b) != blocks.end())
+    throw mistake(layout.blocks[b].where, fmt::format("two sides of the block '{}' are the same {}",
+                                                      layout.blocks[b].name, side_text(layout, points)));
+  if (blocks.size() == 2)
+    throw mistake(
+        layout.blocks[b].where,
+        fmt::format("the {} is shared by three blocks, '{}', '{}' and '{}'; at most two can meet at {}",
+                    side_text(layout, points), layout.blocks[blocks[0]].name, layout.blocks[blocks[1]].name,
+                    layout.blocks[b].name, points.size() == 2 ? "an edge" : "a face"));
+  blocks.push_back(b);
+}
+
+int enter_edge(Topology& topology, Known& known, std::array<int, 2> ends)
 {
   const auto [entry, is_new] =
-      known.try_emplace(key(ends[0], ends[1]), static_cast<int>(topology.edges.size()));
+      known.edges.try_emplace(key(ends[0], ends[1]), static_cast<int>(topology.edges.size()));
   if (is_new)
   {
     topology.edges.emplace_back();
@@ -111,23 +100,56 @@ int edge_of_side(Topology& topology, EdgeOfPoints& known, std::array<int, 2> end
   return entry->second;
 }
 
-void add_block(const Layout& layout, int b, Topology& topology, EdgeOfPoints& known)
+int enter_face(Topology& topology, Known& known, element::Shape shape, const std::vector<int>& points)
 {
-  std::array<int, 4> sides{};
-  for (int side = 0; side < 4; ++side)
+  const auto [entry, is_new] = known.faces.try_emplace(key(points), static_cast<int>(topology.faces.size()));
+  if (is_new)
   {
-    sides[side] = edge_of_side(topology, known, side_ends(layout.blocks[b], side));
-    PlacedEdge& edge = topology.edges[sides[side]];
-    if (edge.blocks.size() == 2)
-      throw mistake(
-          layout.blocks[b].where,
-          fmt::format("the edge {} is shared by three blocks, '{}', '{}' and '{}'; at most two can meet at "
-                      "an edge",
-                      edge_text(layout, edge.a, edge.b), layout.blocks[edge.blocks[0]].name,
-                      layout.blocks[edge.blocks[1]].name, layout.blocks[b].name));
-    edge.blocks.push_back(b);
+    PlacedFace& face = topology.faces.emplace_back();
+    face.shape = shape;
+    std::copy(points.begin(), points.end(), face.points.begin());
+    const auto edges = element::edges(shape);
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      face.edges[e] = known.edges.at(key(points[edges[e][0]], points[edges[e][1]]));
   }
-  topology.block_edges.push_back(sides);
+  return entry->second;
+}
+
+void add_edges(const Layout& layout, int b, Topology& topology, Known& known)
+{
+  const Block& block = layout.blocks[b];
+  std::vector<int> edges;
+  for (std::size_t e = 0; e < element::edges(block.shape).size(); ++e)
+  {
+    const std::array<int, 2> ends = edge_ends(block, static_cast<int>(e));
+    edges.push_back(enter_edge(topology, known, ends));
+    std::vector<int>& blocks = topology.edges[edges.back()].blocks;
+    if (topology.dim == 2)
+      claim_side(layout, b, {ends[0], ends[1]}, blocks);
+    else
+      blocks.push_back(b);
+  }
+  topology.block_edges.push_back(edges);
+}
+
+void add_sides(const Layout& layout, int b, Topology& topology, Known& known)
+{
+  if (topology.dim == 2)
+  {
+    topology.block_sides.push_back(topology.block_edges.back());
+    return;
+  }
+  const Block& block = layout.blocks[b];
+  std::vector<int> faces;
+  for (const element::SideShape& side : element::sides(block.shape))
+  {
+    std::vector<int> points;
+    for (int c = 0; c < element::corner_count(side.shape); ++c)
+      points.push_back(block.points[side.corners[c]]);
+    faces.push_back(enter_face(topology, known, side.shape, points));
+    claim_side(layout, b, points, topology.faces[faces.back()].blocks);
+  }
+  topology.block_sides.push_back(faces);
 }
 
 void check_curve(const Layout& layout, const Edge& edge)
@@ -142,11 +164,11 @@ void check_curve(const Layout& layout, const Edge& edge)
   }
 }
 
-void add_info(const Layout& layout, int entry, const EdgeOfPoints& known, Topology& topology)
+void add_edge_info(const Layout& layout, int entry, const Known& known, Topology& topology)
 {
   const Edge& edge = layout.edges[entry];
-  const auto found = known.find(key(edge.a, edge.b));
-  if (found == known.end())
+  const auto found = known.edges.find(key(edge.a, edge.b));
+  if (found == known.edges.end())
     throw mistake(edge.where, fmt::format("no block has an edge {}; correct the points or remove the entry",
                                           edge_text(layout, edge.a, edge.b)));
   int& info = topology.info[found->second];
@@ -160,37 +182,67 @@ void add_info(const Layout& layout, int entry, const EdgeOfPoints& known, Topolo
   check_curve(layout, edge);
 }
 
-}  // namespace
-
-std::array<int, 2> side_ends(const Block& block, int side)
+void add_face_info(const Layout& layout, int entry, const Known& known, Topology& topology)
 {
-  constexpr std::array<std::array<int, 2>, 4> corners{{{0, 1}, {1, 2}, {3, 2}, {0, 3}}};
-  return {block.points[corners[side][0]], block.points[corners[side][1]]};
+  const Face& face = layout.faces[entry];
+  const auto found = known.faces.find(key(face.points));
+  if (found == known.faces.end())
+    throw mistake(face.where, fmt::format("no block has a {}; correct the points or remove the entry",
+                                          side_text(layout, face.points)));
+  int& info = topology.face_info[found->second];
+  if (info >= 0)
+    throw mistake(face.where,
+                  fmt::format("the {} is described twice, here and before{}; describe it once",
+                              side_text(layout, face.points), place_text(layout.faces[info].where)));
+  info = entry;
 }
 
-int find_edge(const Topology& topology, int a, int b)
+}  // namespace
+
+std::array<int, 2> edge_ends(const Block& block, int edge)
 {
-  for (std::size_t e = 0; e < topology.edges.size(); ++e)
-    if (key(topology.edges[e].a, topology.edges[e].b) == key(a, b))
-      return static_cast<int>(e);
-  return -1;
+  const auto& ends = element::edges(block.shape)[edge];
+  return {block.points[ends[0]], block.points[ends[1]]};
+}
+
+int find_edge(std::span<const PlacedEdge> edges, int a, int b)
+{
+  const auto found = std::find_if(edges.begin(), edges.end(),
+                                  [&](const PlacedEdge& edge) { return key(edge.a, edge.b) == key(a, b); });
+  return found == edges.end() ? -1 : static_cast<int>(found - edges.begin());
+}
+
+int find_face(std::span<const PlacedFace> faces, std::span<const int> points)
+{
+  const auto found =
+      std::find_if(faces.begin(), faces.end(),
+                   [&](const PlacedFace& face)
+                   {
+                     const std::span corners(face.points.data(), element::corner_count(face.shape));
+                     return std::is_permutation(points.begin(), points.end(), corners.begin(), corners.end());
+                   });
+  return found == faces.end() ? -1 : static_cast<int>(found - faces.begin());
 }
 
 Topology make_topology(const Layout& layout)
 {
-  check_numbers(layout);
-  check_points_used(layout);
-  for (const Block& block : layout.blocks)
-    check_corners(layout, block);
+  check_layout(layout);
   Topology topology;
-  EdgeOfPoints known;
+  topology.dim = layout.dim;
+  Known known;
   for (std::size_t b = 0; b < layout.blocks.size(); ++b)
-    add_block(layout, static_cast<int>(b), topology, known);
-  for (const PlacedEdge& edge : topology.edges)
-    check_neighbours(layout, edge);
+  {
+    add_edges(layout, static_cast<int>(b), topology, known);
+    add_sides(layout, static_cast<int>(b), topology, known);
+  }
+  for (int side = 0; side < side_count(topology); ++side)
+    check_neighbours(layout, topology, side);
   topology.info.assign(topology.edges.size(), -1);
   for (std::size_t entry = 0; entry < layout.edges.size(); ++entry)
-    add_info(layout, static_cast<int>(entry), known, topology);
+    add_edge_info(layout, static_cast<int>(entry), known, topology);
+  topology.face_info.assign(topology.faces.size(), -1);
+  for (std::size_t entry = 0; entry < layout.faces.size(); ++entry)
+    add_face_info(layout, static_cast<int>(entry), known, topology);
   return topology;
 }
 
@@ -208,6 +260,20 @@ double edge_length(const Layout& layout, const Topology& topology, int edge)
   const geometry::Point& a = layout.points[topology.edges[edge].a].x;
   const geometry::Point& b = layout.points[topology.edges[edge].b].x;
   return geometry::length(info < 0 ? geometry::Curve{} : layout.edges[info].curve, a, b);
+}
+
+double layout_size(const Layout& layout)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> low{infinity, infinity, infinity};
+  std::array<double, 3> high{-infinity, -infinity, -infinity};
+  for (const Point& point : layout.points)
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      low[c] = std::min(low[c], point.x[c]);
+      high[c] = std::max(high[c], point.x[c]);
+    }
+  return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
 }
 
 }  // namespace blockfsi::block

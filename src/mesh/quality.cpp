@@ -135,7 +135,7 @@ Quality measure(const QualityTables& tables, const Mesh& mesh, std::span<const d
     evaluate(tables, mesh.cell(c), x, tangents);
     const std::span<const double> before = first.empty() ? first : first.subspan(c * samples, samples);
     Quality of_cell = measure_cell(tangents, tables.maps.value.rows, before);
-    of_cell.cell = mesh.cell_number[c];
+    of_cell.cell = mesh.number_of_cell(c);
     of_cell.block = mesh.cell_block[c];
     quality = merge(quality, of_cell);
   }

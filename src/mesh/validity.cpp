@@ -263,7 +263,7 @@ Validity certify(const ValidityTables& tables, const Mesh& mesh, std::span<const
       of_cell[2 * k + 1] = x[2 * nodes[k] + 1];
     }
     const Verdict verdict = certify(tables, std::span(of_cell).first(2 * nodes.size()));
-    count(verdict, mesh.cell_number[c], mesh.cell_block[c], validity);
+    count(verdict, mesh.number_of_cell(c), mesh.cell_block[c], validity);
     if (!verdicts.empty())
       verdicts[c] = verdict;
   }

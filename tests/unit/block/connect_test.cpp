@@ -26,7 +26,7 @@ Layout two_blocks(int first_corner, bool from_below, int order)
     layout.points.push_back({"p" + std::to_string(p), {at[p][0], at[p][1], 0.0}, {}});
   layout.blocks.push_back({"left", "fluid", {0, 1, 4, 3}, {}});
   const std::array<int, 4> right{1, 2, 5, 4};
-  Block turned{"right", "solid", {}, {}};
+  Block turned{"right", "solid", std::vector<int>(4), {}};
   for (int c = 0; c < 4; ++c)
     turned.points.push_back(right[(c + first_corner) % 4]);
   layout.blocks.push_back(turned);
@@ -43,7 +43,7 @@ std::map<std::int64_t, std::array<double, 2>> by_number(const Connected& connect
   const std::vector<double> x = place(connected, skeleton);
   std::map<std::int64_t, std::array<double, 2>> result;
   for (std::size_t n = 0; n < connected.mesh.node_count(); ++n)
-    result[connected.mesh.lattice[n]] = {x[2 * n], x[2 * n + 1]};
+    result[lattice_number(connected.mesh, n)] = {x[2 * n], x[2 * n + 1]};
   return result;
 }
 
@@ -52,7 +52,7 @@ std::vector<std::int64_t> row(const mesh::Mesh& mesh, std::size_t c)
 {
   std::vector<std::int64_t> numbers;
   for (const std::int32_t node : mesh.cell(c))
-    numbers.push_back(mesh.lattice[node]);
+    numbers.push_back(lattice_number(mesh, node));
   return numbers;
 }
 
@@ -74,17 +74,18 @@ void add_part(Union& whole, const Connected& part, const Skeleton& skeleton, int
   const mesh::Mesh& mesh = part.mesh;
   for (std::size_t c = 0; c < mesh.cell_count(); ++c)
   {
-    CHECK(whole.cells.count(mesh.cell_number[c]) == 0);
-    whole.cells[mesh.cell_number[c]] = row(mesh, c);
-    whole.blocks[mesh.cell_number[c]] = mesh.cell_block[c];
+    const std::int64_t number = mesh.number_of_cell(c);
+    CHECK(whole.cells.count(number) == 0);
+    whole.cells[number] = row(mesh, c);
+    whole.blocks[number] = mesh.cell_block[c];
     for (const std::int64_t node : row(mesh, c))
       whole.lowest_rank.try_emplace(node, rank);
   }
   for (std::size_t n = 0; n < mesh.node_count(); ++n)
-    whole.owners[mesh.lattice[n]].insert(mesh.owner[n]);
+    whole.owners[lattice_number(mesh, n)].insert(mesh.owner.empty() ? 0 : mesh.owner[n]);
   for (const auto& [name, sides] : mesh.boundaries)
     for (const auto& side : sides)
-      whole.boundaries[name].insert({mesh.cell_number[side.cell], side.side});
+      whole.boundaries[name].insert({mesh.number_of_cell(side.cell), side.side});
   for (const auto& [number, x] : by_number(part, skeleton))
   {
     const auto [known, is_new] = whole.x.try_emplace(number, x);
@@ -155,7 +156,7 @@ TEST_CASE("every node has its own place: no two numbers share a position, each c
     std::set<std::int64_t> vertices;
     for (std::size_t c = 0; c < all.mesh.cell_count(); ++c)
       for (const int corner : {0, order, order * (order + 1), (order + 1) * (order + 1) - 1})
-        vertices.insert(all.mesh.lattice[all.mesh.cell(c)[corner]]);
+        vertices.insert(lattice_number(all.mesh, all.mesh.cell(c)[corner]));
     const auto edges = static_cast<std::int64_t>(vertices.size()) + cells;
     CHECK(all.mesh.total_node_count == static_cast<std::int64_t>(vertices.size()) + (order - 1) * edges +
                                            (order - 1) * (order - 1) * cells);

@@ -37,6 +37,12 @@ inline Edge& add_edge(Layout& layout, int a, int b)
   return edge;
 }
 
+/// Number of a node in the lattice of all blocks.
+inline std::int64_t lattice_number(const mesh::Mesh& mesh, std::size_t node)
+{
+  return mesh.lattice.empty() ? static_cast<std::int64_t>(node) : mesh.lattice[node];
+}
+
 /// Puts all outer edges that belong to no listed boundary into one named "wall".
 inline void close(Layout& layout)
 {

@@ -1,7 +1,9 @@
 #include "block/place.hpp"
 
 #include "allocations.hpp"
+#include "block/blend.hpp"
 #include "block/move.hpp"
+#include "block/numbering.hpp"
 #include "layouts.hpp"
 
 #include <doctest/doctest.h>
@@ -50,24 +52,41 @@ TEST_CASE("the transfinite map reproduces its four sides")
 {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> number(-1.0, 1.0);
-  // Skeleton: corners 0..3, one node on each side 4..7.
+  // A lattice of 2 x 2 steps whose only inner node is put anywhere on the boundary: corners 0..3, middles of
+  // the sides 4..7.
   std::vector<double> skeleton(16);
   for (double& value : skeleton)
     value = number(random);
-  for (const double t : {0.0, 0.2, 0.7, 1.0})
+  const auto placed_at = [&](int side, double t)
   {
+    BlockPlan plan;
+    plan.grid = {element::Shape::quadrilateral, {2, 2, 0}};
+    plan.corners = {0, 1, 2, 3};
+    plan.sides = {{0, 4, 1}, {1, 5, 2}, {3, 6, 2}, {0, 7, 3}};
     // On a side the sides at its ends contribute their corners.
-    Plan plan;
-    plan.inner = {{0, {4, 1, 6, 0}, {0, 1, 2, 3}, t, 0.0},
-                  {1, {1, 5, 2, 7}, {0, 1, 2, 3}, 1.0, t},
-                  {2, {4, 2, 6, 3}, {0, 1, 2, 3}, t, 1.0},
-                  {3, {0, 5, 3, 7}, {0, 1, 2, 3}, 0.0, t}};
-    std::vector<double> x(8);
-    block::place(plan, skeleton, x);
+    const int low = side == 1 ? 1 : 0;
+    plan.rows = {{1, 0, 1, 2, 0}};
+    if (side % 2 == 0)
+    {
+      plan.sides[3][1] = side == 0 ? 0 : 3;
+      plan.sides[1][1] = side == 0 ? 1 : 2;
+      plan.reference = {t, side == 0 ? 0.0 : 1.0};
+    }
+    else
+    {
+      plan.sides[0][1] = low == 1 ? 1 : 0;
+      plan.sides[2][1] = low == 1 ? 2 : 3;
+      plan.reference = {static_cast<double>(low), t};
+    }
+    std::vector<double> work(work_size(plan, 2));
+    std::array<double, 2> x{};
+    blend(plan, 2, skeleton.data(), work.data(), x.data());
+    return x;
+  };
+  for (const double t : {0.0, 0.2, 0.7, 1.0})
     for (int side = 0; side < 4; ++side)
       for (int c = 0; c < 2; ++c)
-        CHECK(std::abs(x[2 * side + c] - skeleton[2 * (4 + side) + c]) < 1e-15);
-  }
+        CHECK(std::abs(placed_at(side, t)[c] - skeleton[2 * (4 + side) + c]) < 1e-15);
 }
 
 TEST_CASE("nodes on curved, graded sides sit on their curves at their parameters")
@@ -87,8 +106,7 @@ TEST_CASE("nodes on curved, graded sides sit on their curves at their parameters
       REQUIRE(match != layout.edges.end());
       for (std::int64_t node = edge.first; node < edge.first + edge.count; ++node)
       {
-        const auto local =
-            std::find(all.mesh.lattice.begin(), all.mesh.lattice.end(), node) - all.mesh.lattice.begin();
+        const std::int64_t local = node;
         const geometry::Point wanted = geometry::evaluate(match->curve, layout.points[edge.a].x,
                                                           layout.points[edge.b].x, skeleton.parameter[node]);
         CHECK(std::abs(x[2 * local] - wanted[0]) < 1e-13);
@@ -140,18 +158,17 @@ TEST_CASE("straight sides with any gradings keep nodes on the straight lines tha
   const Skeleton skeleton = make_skeleton(layout);
   const Connected all = connect(layout, skeleton, "", {});
   const std::vector<double> x = place(all, skeleton);
-  REQUIRE(all.plan.inner.size() == 17u * 17u);
-  for (const Plan::Inner& inner : all.plan.inner)
-  {
-    const double u = x[2 * inner.node];
-    const double v = x[2 * inner.node + 1];
-    const double bottom = skeleton.x[2 * inner.side[0]];
-    const double right = skeleton.x[2 * inner.side[1] + 1];
-    const double top = skeleton.x[2 * inner.side[2]];
-    const double left = skeleton.x[2 * inner.side[3] + 1];
-    CHECK(std::abs(u - ((1 - v) * bottom + v * top)) < 1e-15);
-    CHECK(std::abs(v - ((1 - u) * left + u * right)) < 1e-15);
-  }
+  const BlockLattice lattice = block_lattice(layout, skeleton, 0);
+  const auto at = [&](int i, int j, int c) { return x[2 * lattice.number({i, j, 0}) + c]; };
+  const int n = 18;
+  for (int j = 1; j < n; ++j)
+    for (int i = 1; i < n; ++i)
+    {
+      const double u = at(i, j, 0);
+      const double v = at(i, j, 1);
+      CHECK(std::abs(u - ((1 - v) * at(i, 0, 0) + v * at(i, n, 0))) < 1e-15);
+      CHECK(std::abs(v - ((1 - u) * at(0, j, 1) + u * at(n, j, 1))) < 1e-15);
+    }
 }
 
 TEST_CASE("placing allocates nothing")

@@ -116,10 +116,10 @@ TEST_CASE("conflicting divisions name both edges, both counts, both places and t
 
 TEST_CASE("missing and impossible division counts are refused")
 {
-  CHECK(message_after([](Layout& layout) { layout.default_divisions = 0; }) ==
-        "a.toml:10:1: nobody says into how many cells the edge from 'p4' (0, 1) to 'p5' (1, 1) of the block "
-        "'b0' and "
-        "those opposite to it are divided; give one of them a number or a default for all");
+  CHECK(
+      message_after([](Layout& layout) { layout.default_divisions = 0; }) ==
+      "a.toml:10:1: nobody says into how many cells the edge from 'p0' (0, 0) to 'p1' (1, 0) of the block "
+      "'b0' and those that need the same number are divided; give one of them a number or a default for all");
   CHECK(message_after([](Layout& layout) { add_edge(layout, 0, 1).divisions = 0; }) ==
         "the edge from 'p0' (0, 0) to 'p1' (1, 0) is divided into 0 cells; it needs at least 1");
 }
@@ -130,8 +130,8 @@ TEST_CASE("impossible orders, dimensions and empty layouts are refused")
         "the order of the mesh is 0; it must be 1 to 8");
   CHECK(message_after([](Layout& layout) { layout.order = 9; }) ==
         "the order of the mesh is 9; it must be 1 to 8");
-  CHECK(message_after([](Layout& layout) { layout.dim = 3; }) ==
-        "the layout has 3 dimensions; only 2 are supported");
+  CHECK(message_after([](Layout& layout) { layout.dim = 4; }) ==
+        "the layout has 4 dimensions; only 2 or 3 are possible");
   CHECK(message_after([](Layout& layout) { layout.blocks.clear(); }) ==
         "the layout has no blocks; draw a lattice or give single blocks");
 }
@@ -252,7 +252,7 @@ TEST_CASE("wrong boundaries are named")
         "a.toml:21:1: the boundary 'wall': a boundary of this name exists already (a.toml:20:1); choose "
         "another");
   CHECK(message_after([](Layout& layout) { layout.boundaries[1].name = "interface"; }) ==
-        "a.toml:21:1: the boundary 'interface': this name is reserved for the edges between two regions; "
+        "a.toml:21:1: the boundary 'interface': this name is reserved for the sides between two regions; "
         "choose "
         "another");
 }
