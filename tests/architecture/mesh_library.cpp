@@ -24,7 +24,7 @@ int main()
   layout.default_divisions = 2;
   const block::Skeleton skeleton = block::make_skeleton(layout);
   const block::Connected connected = block::connect(layout, skeleton, "fluid", {});
-  const std::size_t count = connected.plan.skeleton_node.size() + connected.plan.inner.size();
+  const std::size_t count = connected.mesh.node_count();
   std::vector<double> x(2 * count);
   block::place(connected.plan, skeleton.x, x);
   double sum = 0.0;

@@ -26,7 +26,7 @@ Layout two_blocks(int first_corner, bool from_below, int order)
     layout.points.push_back({"p" + std::to_string(p), {at[p][0], at[p][1], 0.0}, {}});
   layout.blocks.push_back({"left", "fluid", {0, 1, 4, 3}, {}});
   const std::array<int, 4> right{1, 2, 5, 4};
-  Block turned{"right", "solid", std::vector<int>(4), {}};
+  Block turned{"right", "solid", {}, {}};
   for (int c = 0; c < 4; ++c)
     turned.points.push_back(right[(c + first_corner) % 4]);
   layout.blocks.push_back(turned);
