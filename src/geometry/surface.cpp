@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "geometry/difference.hpp"
+#include "geometry/overloaded.hpp"
 
 #include <fmt/format.h>
 
@@ -14,14 +15,6 @@ namespace blockfsi::geometry
 namespace
 {
 
-template <typename... Functions>
-struct Overloaded : Functions...
-{
-  using Functions::operator()...;
-};
-template <typename... Functions>
-Overloaded(Functions...) -> Overloaded<Functions...>;
-
 Point value(const FormulaSurface& surface, double u, double v)
 {
   return {surface.x[0](u, v), surface.x[1](u, v), surface.x[2](u, v)};
@@ -32,21 +25,24 @@ Point value(const FunctionSurface& surface, double u, double v)
   return surface.x(u, v);
 }
 
-template <typename AnySurface>
-std::array<Point, 2> first_derivatives(const AnySurface& surface, double u, double v)
-{
-  return {differentiate([&](double s) { return value(surface, s, v); }, u),
-          differentiate([&](double s) { return value(surface, u, s); }, v)};
-}
-
 std::array<Point, 2> derivatives_of(const FormulaSurface& surface, double u, double v)
 {
-  return first_derivatives(surface, u, v);
+  std::array<Point, 2> result{};
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    const Expression::Derivatives d = surface.x[c].derivatives(u, v);
+    result[0][c] = d.by[0];
+    result[1][c] = d.by[1];
+  }
+  return result;
 }
 
 std::array<Point, 2> derivatives_of(const FunctionSurface& surface, double u, double v)
 {
-  return surface.derivatives ? surface.derivatives(u, v) : first_derivatives(surface, u, v);
+  if (surface.derivatives)
+    return surface.derivatives(u, v);
+  return {differentiate([&](double s) { return surface.x(s, v); }, u),
+          differentiate([&](double s) { return surface.x(u, s); }, v)};
 }
 
 template <typename AnySurface>

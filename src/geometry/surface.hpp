@@ -49,9 +49,8 @@ Point evaluate(const Surface& surface, double u, double v);
 void evaluate(const Surface& surface, std::span<const double> u, std::span<const double> v,
               std::span<Point> x);
 
-/// The point at u, v with first and second derivatives. Those of formulas and functions come from differences
-/// (relative errors near 1e-11 for first, 1e-8 for second ones; exact first ones where the function has
-/// them).
+/// The point at u, v with first and second derivatives. First ones of functions without derivatives come from
+/// differences (relative errors near 1e-12), second ones of formulas and functions too.
 SurfaceJet jet(const Surface& surface, double u, double v);
 
 /// Number of corners: 3 for a triangle, else 4.

@@ -54,6 +54,7 @@ inline Domain rectangle(Vector low, Vector high, int cells_per_block, int order,
     const Vector a = {lattice.x[from[0]], lattice.y[from[1]]};
     const Vector b = {lattice.x[to[0]], lattice.y[to[1]]};
     geometry::Formula formula;
+    formula.speed = geometry::Speed::own;  // neighbouring curves carry the same parameter
     for (int c = 0; c < 2; ++c)
     {
       std::string text = "(" + std::to_string(a[c]) + ") + t * (" + std::to_string(b[c] - a[c]) + ")";
