@@ -75,6 +75,25 @@ void check_ends(const char* what, const Curve& curve, const Point& a, const Poin
     throw Error(fmt::format("{} has no finite value somewhere between t = 0 and t = 1", what));
 }
 
+/// For the part of a spline.
+void check_on_curve(const Curve& curve, const Point& a, const Point& b)
+{
+  constexpr double tolerance = 1e-6;  // CAD shows its points in few digits
+  const Path path(curve, a, b);
+  for (int end = 0; end < 2; ++end)
+  {
+    const Point& wanted = end == 0 ? a : b;
+    const Point& found = path.own_end(end);
+    if (!(distance(found, wanted) <= tolerance * path.length()))
+      throw Error(fmt::format(
+          "the edge {} at {}, {:.6g} m off its curve; move the point there, for instance to "
+          "({:.12g}, {:.12g}, {:.12g})",
+          end == 0 ? "starts" : "ends", text(wanted), distance(found, wanted), found[0], found[1], found[2]));
+  }
+  if (!(path.length() >= 0.5 * distance(a, b)))
+    throw Error(fmt::format("the edge from {} to {} has no length on its curve", text(a), text(b)));
+}
+
 }  // namespace
 
 void check(const Curve& curve, const Point& a, const Point& b)
@@ -90,7 +109,10 @@ void check(const Curve& curve, const Point& a, const Point& b)
                         [&](const Spline& spline)
                         {
                           check("the B-spline", spline.curve);
-                          check_ends("the B-spline", curve, a, b);
+                          if (spline.part)
+                            check_on_curve(curve, a, b);
+                          else
+                            check_ends("the B-spline", curve, a, b);
                         },
                         [&](const Function& function)
                         {

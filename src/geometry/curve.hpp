@@ -86,6 +86,9 @@ struct Spline
 {
   NurbsCurve curve;
   Speed speed = Speed::constant;
+  bool part =
+      false;  ///< only the part between the end points, which lie on it (1e-6 of the length of the edge)
+  bool longer = false;  ///< of the two parts of a closed curve
 };
 
 /// The geometry of an edge.

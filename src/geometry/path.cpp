@@ -134,6 +134,16 @@ Point slope(const NurbsCurve* curve, double u)
   return jet(*curve, u).first;
 }
 
+Point value(const NurbsPart& part, double u)
+{
+  return evaluate(*part.curve, part.parameter(u));
+}
+
+Point slope(const NurbsPart& part, double u)
+{
+  return scaled(part.to - part.from, jet(*part.curve, part.parameter(u)).first);
+}
+
 Point value(const Function* function, double u)
 {
   return function->x(u);
@@ -159,6 +169,7 @@ std::vector<double> breaks_of(const raw::Any& any)
                                [](const Polynomial& p)
                                { return equal_breaks(static_cast<int>(p.points.size())); },
                                [](const NurbsCurve* curve) { return breaks(curve->knots); },
+                               [](const NurbsPart& part) { return breaks(part); },
                                [](const auto&) { return equal_breaks(pieces_of_formula); }},
                     any);
 }
@@ -185,7 +196,12 @@ raw::Any make_raw(const Curve& curve, const Point& a, const Point& b, bool rever
                                  return Projected{c.lengths ? c : measured(c, a, b), a, b};
                                },
                                [](const Formula& formula) -> raw::Any { return &formula; },
-                               [](const Spline& spline) -> raw::Any { return &spline.curve; },
+                               [&](const Spline& spline) -> raw::Any
+                               {
+                                 if (spline.part)
+                                   return part_between(spline.curve, a, b, spline.longer);
+                                 return &spline.curve;
+                               },
                                [](const Function& function) -> raw::Any { return &function; }},
                     curve);
 }
@@ -199,7 +215,8 @@ bool is_measured(const Curve& curve)
 
 bool has_own_direction(const Curve& curve)
 {
-  return std::holds_alternative<Formula>(curve) || std::holds_alternative<Spline>(curve) ||
+  const auto* spline = std::get_if<Spline>(&curve);
+  return std::holds_alternative<Formula>(curve) || (spline && !spline->part) ||
          std::holds_alternative<Function>(curve);
 }
 

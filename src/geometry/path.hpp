@@ -2,6 +2,7 @@
 
 #include "geometry/curve.hpp"
 #include "geometry/length_table.hpp"
+#include "geometry/nurbs_part.hpp"
 
 #include <span>
 #include <variant>
@@ -44,8 +45,8 @@ struct Projected
   Point b{};
 };
 
-using Any =
-    std::variant<Line, Turn, Polynomial, Projected, const Formula*, const NurbsCurve*, const Function*>;
+using Any = std::variant<Line, Turn, Polynomial, Projected, const Formula*, const NurbsCurve*, NurbsPart,
+                         const Function*>;
 
 }  // namespace raw
 

@@ -1,5 +1,6 @@
 #include "geometry/path.hpp"
 
+#include "core/error.hpp"
 #include "geometry/difference.hpp"
 #include "shapes.hpp"
 
@@ -205,4 +206,41 @@ TEST_CASE("small misses at the ends are spread over the curve")
     const Path path(curve, a, b);
     CHECK(distance(path.evaluate(1.0 - 1e-7), b) == doctest::Approx(1e-7 * path.length()).epsilon(1e-5));
   }
+}
+
+TEST_CASE("an edge may be a part of a spline, of a closed one the shorter or the longer way through its seam")
+{
+  const auto at = [](double angle) { return Point{2.0 * std::cos(angle), 2.0 * std::sin(angle), 0.0}; };
+  const NurbsCurve circle = shapes::circle(2.0);
+  for (const auto& [from, to] : {std::array{0.3, 1.9}, std::array{-0.7, 0.4}, std::array{0.0, 2.0},
+                                 std::array{5.0, 6.5}, std::array{1.0, 1.0 + 0.5 * std::numbers::pi}})
+    for (const bool longer : {false, true})
+    {
+      CAPTURE(from);
+      const Curve curve = Spline{.curve = circle, .speed = Speed::constant, .part = true, .longer = longer};
+      check(curve, at(from), at(to));
+      const double turn = longer ? to - from - 2.0 * std::numbers::pi : to - from;
+      const Path path(curve, at(from), at(to));
+      const Path back(curve, at(to), at(from));
+      CHECK(path.length() == doctest::Approx(2.0 * std::abs(turn)).epsilon(1e-12));
+      for (const double t : {0.0, 0.125, 0.5, 0.75, 1.0})
+      {
+        CHECK(distance(path.evaluate(t), at(from + t * turn)) < 1e-12);
+        CHECK(back.evaluate(1.0 - t) == path.evaluate(t));
+      }
+    }
+  const NurbsCurve line{.degree = 1, .knots = {0, 0, 1, 1}, .points = {{0, 0, 0}, {4, 0, 0}}, .weights = {}};
+  const Curve part = Spline{.curve = line, .speed = Speed::constant, .part = true};
+  CHECK(distance(evaluate(part, {3, 0, 0}, {1, 0, 0}, 0.25), {2.5, 0, 0}) < 1e-14);
+  std::string message;
+  try
+  {
+    check(part, {3, 0.1, 0}, {1, 0, 0});
+  }
+  catch (const Error& error)
+  {
+    message = error.message();
+  }
+  CHECK(message ==
+        "the edge starts at (3, 0.1), 0.1 m off its curve; move the point there, for instance to (3, 0, 0)");
 }
