@@ -29,6 +29,7 @@ struct Arguments
   std::string directory;
   bool restart = false;
   std::string mesh_output;
+  bool sizes = false;
   std::string level = "full";
   bool finished = false;
 };
@@ -55,7 +56,7 @@ Exit check(const Arguments& arguments)
 
 Exit mesh(const Arguments& arguments)
 {
-  return blockfsi::run::make_mesh(read(arguments), arguments.mesh_output);
+  return blockfsi::run::make_mesh(read(arguments), arguments.mesh_output, arguments.sizes);
 }
 
 /// Runs the case unless its finished output is to be taken, and compares it with the references beside it.
@@ -105,6 +106,7 @@ Exit dispatch(int count, char** values)
   CLI::App* mesh_command = app.add_subcommand("mesh", "make the mesh of a case and report its quality");
   add_case(*mesh_command, arguments);
   mesh_command->add_option("-o,--output", arguments.mesh_output, "file to write (.vtu)");
+  mesh_command->add_flag("--sizes", arguments.sizes, "list the cells along every edge");
 
   CLI::App* verify_command =
       app.add_subcommand("verify", "run a case and compare it with the reference.csv beside it");

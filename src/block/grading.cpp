@@ -132,58 +132,54 @@ double bisect(double low, double high, Function f)
   return 0.5 * (low + high);
 }
 
-/// The symmetric stretching u(x) of Vinokur 1983 for sinh(delta) / delta = b (or sin(delta) / delta = b, b <
-/// 1).
-double stretch(double b, double delta, double x)
+/// Vinokur's two-sided distribution (1983) for slopes given as cell sizes on the unit edge, which its cells
+/// meet only roughly: u(x) with sinh(δ) / δ = b (sin(δ) / δ for b < 1), t = u / (a + (1 - a) u).
+struct Vinokur
 {
-  if (b > 1.0)
-    return 0.5 * (1.0 + std::tanh(delta * (x - 0.5)) / std::tanh(0.5 * delta));
-  return 0.5 * (1.0 + std::tan(delta * (x - 0.5)) / std::tan(0.5 * delta));
-}
-
-/// Vinokur's two-sided distribution for slopes given as cell sizes on the unit edge: met only roughly.
-std::vector<double> vinokur(int n, double first, double last)
-{
-  const double a = std::sqrt(last / first);
-  const double b = 1.0 / (n * std::sqrt(first * last));
-  constexpr double tiny = 1e-8;
+  double a;
+  double b;
   double delta = 0.0;
-  if (b > 1.0)
-    delta = bisect(tiny, 700.0, [b](double d) { return std::sinh(d) / d - b; });
-  else
-    delta = bisect(tiny, std::numbers::pi - tiny, [b](double d) { return b - std::sin(d) / d; });
-  return positions(n,
-                   [=](int i)
-                   {
-                     const double x = static_cast<double>(i) / n;
-                     const double u = std::abs(b - 1.0) < 1e-14 ? x : stretch(b, delta, x);
-                     return u / (a + (1.0 - a) * u);
-                   });
-}
 
-/// Logarithms of the first and the last cell of a distribution.
-std::array<double, 2> end_cells(const std::vector<double>& t)
-{
-  return {std::log(t[1]), std::log(1.0 - t[t.size() - 2])};
-}
+  Vinokur(int n, double first, double last)
+      : a(std::sqrt(last / first)), b(1.0 / (n * std::sqrt(first * last)))
+  {
+    constexpr double tiny = 1e-8;
+    if (b > 1.0)
+      delta = bisect(tiny, 700.0, [this](double d) { return std::sinh(d) / d - b; });
+    else
+      delta = bisect(tiny, std::numbers::pi - tiny, [this](double d) { return b - std::sin(d) / d; });
+  }
 
-/// Corrects the slopes given to `vinokur` until both end cells have their sizes (fixed point, formulation.md
-/// 3).
+  /// [1 + tanh(δ (x - 1/2)) / tanh(δ / 2)] / 2 by the addition theorem, which keeps the digits of small u.
+  double u(double x) const
+  {
+    if (std::abs(b - 1.0) < 1e-14)
+      return x;
+    if (b > 1.0)
+      return std::sinh(delta * x) / (2.0 * std::sinh(0.5 * delta) * std::cosh(delta * (0.5 - x)));
+    return std::sin(delta * x) / (2.0 * std::sin(0.5 * delta) * std::cos(delta * (0.5 - x)));
+  }
+  double from_start(double x) const { return u(x) / (a + (1.0 - a) * u(x)); }
+  /// 1 - t at 1 - x.
+  double from_end(double x) const { return a * u(x) / (1.0 - (1.0 - a) * u(x)); }
+};
+
+/// Corrects the slopes given to Vinokur's distribution until both end cells have their sizes (fixed point on
+/// the logarithms). Empty if that does not converge.
 std::vector<double> two_sided_unit(int n, double first, double last)
 {
   const std::array<double, 2> target{std::log(first), std::log(last)};
   std::array<double, 2> slope = target;
-  // The last cell is a difference from 1, known to a rounding of 1 only.
-  const double tolerance = 1e-12 + 1e-15 / last;
   for (int iteration = 0; iteration < 500; ++iteration)
   {
-    std::vector<double> t = vinokur(n, std::exp(slope[0]), std::exp(slope[1]));
-    const std::array<double, 2> cells = end_cells(t);
-    const double miss = std::max(std::abs(cells[0] - target[0]), std::abs(cells[1] - target[1]));
-    if (miss < tolerance)
-      return t;
+    const Vinokur distribution(n, std::exp(slope[0]), std::exp(slope[1]));
+    const double cell = 1.0 / n;
+    const std::array<double, 2> miss{std::log(distribution.from_start(cell)) - target[0],
+                                     std::log(distribution.from_end(cell)) - target[1]};
+    if (std::abs(miss[0]) < 1e-12 && std::abs(miss[1]) < 1e-12)
+      return positions(n, [&](int i) { return distribution.from_start(static_cast<double>(i) / n); });
     for (int end = 0; end < 2; ++end)
-      slope[end] -= 0.9 * (cells[end] - target[end]);
+      slope[end] -= 0.9 * miss[end];
   }
   return {};
 }
@@ -220,6 +216,87 @@ std::vector<double> two_sided(const TwoSided& grading, int n, double length)
   return t;
 }
 
+/// Positions of OneSided for the given δ; δ < 0: with tan of -δ instead of tanh.
+std::vector<double> one_sided_unit(int n, double delta)
+{
+  // 1 - tanh(δ (1 - x)) / tanh(δ) by the addition theorem, so that small first cells keep their digits.
+  return positions(n,
+                   [=](int i)
+                   {
+                     const double x = static_cast<double>(i) / n;
+                     const double d = std::abs(delta);
+                     if (d < 1e-8)
+                       return x;
+                     return delta > 0.0 ? std::sinh(d * x) / (std::sinh(d) * std::cosh(d * (1.0 - x)))
+                                        : std::sin(d * x) / (std::sin(d) * std::cos(d * (1.0 - x)));
+                   });
+}
+
+std::vector<double> one_sided(const OneSided& grading, int n, double length)
+{
+  check_size(grading.size, length);
+  const double size = grading.size / length;
+  if (n == 1)
+    return first_cell({grading.size, grading.at_end}, n, length);
+  // The first cell shrinks as δ grows; tan has a pole at pi / 2, where the other cells vanish.
+  const double pole = 0.5 * std::numbers::pi * (1.0 - 1e-12);
+  const auto first = [n](double delta) { return one_sided_unit(n, delta)[1]; };
+  if (!(size < first(-pole)) || !(size > first(300.0)))
+    throw Error(
+        fmt::format("no {} cells on {:.9g} m that grow by a hyperbolic tangent start with {:.9g} m; bring "
+                    "the size nearer to {:.9g} m",
+                    n, length, grading.size, length / n));
+  const double delta = bisect(-pole, 300.0, [&](double d) { return size - first(d); });
+  const std::vector<double> t = one_sided_unit(n, delta);
+  return grading.at_end ? mirrored(t) : t;
+}
+
+std::vector<double> cosine(int n)
+{
+  // sin² keeps the digits of the first cells, its complement the symmetry.
+  return positions(n,
+                   [n](int i)
+                   {
+                     const double angle = 0.5 * std::numbers::pi * std::min(i, n - i) / n;
+                     const double t = std::sin(angle) * std::sin(angle);
+                     return 2 * i == n ? 0.5 : (2 * i < n ? t : 1.0 - t);
+                   });
+}
+
+void check_count(const char* what, std::size_t entries, std::size_t cells, int n)
+{
+  if (cells != static_cast<std::size_t>(n))
+    throw Error(
+        fmt::format("the list has {} {}, which make {} cells, but the edge has {}; change the list or the "
+                    "number of cells",
+                    entries, what, cells, n));
+}
+
+std::vector<double> listed_positions(const Positions& list, int n)
+{
+  const std::vector<double>& p = list.values;
+  check_count("positions", p.size(), p.empty() ? 0 : p.size() - 1, n);
+  for (std::size_t i = 1; i < p.size(); ++i)
+    if (!(p[i] > p[i - 1]) || !std::isfinite(p[i] - p[i - 1]))
+      throw Error(fmt::format("position {} of the list is {:.9g} after {:.9g}; positions must ascend", i + 1,
+                              p[i], p[i - 1]));
+  return positions(n, [&p](int i) { return (p[i] - p.front()) / (p.back() - p.front()); });
+}
+
+std::vector<double> listed_sizes(const Sizes& list, int n)
+{
+  check_count("sizes", list.values.size(), list.values.size(), n);
+  std::vector<double> sums{0.0};
+  for (std::size_t i = 0; i < list.values.size(); ++i)
+  {
+    if (!(list.values[i] > 0.0 && std::isfinite(list.values[i])))
+      throw Error(
+          fmt::format("size {} of the list is {:.9g}; sizes must be positive", i + 1, list.values[i]));
+    sums.push_back(sums.back() + list.values[i]);
+  }
+  return positions(n, [&sums](int i) { return sums[i] / sums.back(); });
+}
+
 std::vector<double> by_ratio(const Geometric& grading, int n)
 {
   if (!(grading.ratio > 0.0))
@@ -243,28 +320,56 @@ std::vector<double> parameters(const Grading& grading, int n, double length)
 {
   if (n < 1)
     throw Error(fmt::format("an edge has {} cells; it needs at least 1", n));
-  std::vector<double> t;
-  if (std::holds_alternative<Uniform>(grading))
-    t = uniform(n);
-  else if (const auto* ratio = std::get_if<Geometric>(&grading))
-    t = by_ratio(*ratio, n);
-  else if (const auto* first = std::get_if<FirstCell>(&grading))
-    t = first_cell(*first, n, length);
-  else
-    t = two_sided(std::get<TwoSided>(grading), n, length);
+  struct Law
+  {
+    int n;
+    double length;
+    std::vector<double> operator()(const Uniform&) const { return uniform(n); }
+    std::vector<double> operator()(const Geometric& grading) const { return by_ratio(grading, n); }
+    std::vector<double> operator()(const FirstCell& grading) const { return first_cell(grading, n, length); }
+    std::vector<double> operator()(const TwoSided& grading) const { return two_sided(grading, n, length); }
+    std::vector<double> operator()(const OneSided& grading) const { return one_sided(grading, n, length); }
+    std::vector<double> operator()(const Cosine&) const { return cosine(n); }
+    std::vector<double> operator()(const Positions& grading) const { return listed_positions(grading, n); }
+    std::vector<double> operator()(const Sizes& grading) const { return listed_sizes(grading, n); }
+  };
+  std::vector<double> t = std::visit(Law{n, length}, grading);
   check_ascending(t);
   return t;
 }
 
 Grading reversed(const Grading& grading)
 {
-  if (const auto* ratio = std::get_if<Geometric>(&grading))
-    return Geometric{1.0 / ratio->ratio};
-  if (const auto* first = std::get_if<FirstCell>(&grading))
-    return FirstCell{first->size, !first->at_end};
-  if (const auto* both = std::get_if<TwoSided>(&grading))
-    return TwoSided{both->last, both->first};
-  return grading;
+  struct Reverse
+  {
+    Grading operator()(const Uniform& grading) const { return grading; }
+    Grading operator()(const Geometric& grading) const { return Geometric{1.0 / grading.ratio}; }
+    Grading operator()(const FirstCell& grading) const { return FirstCell{grading.size, !grading.at_end}; }
+    Grading operator()(const TwoSided& grading) const { return TwoSided{grading.last, grading.first}; }
+    Grading operator()(const OneSided& grading) const { return OneSided{grading.size, !grading.at_end}; }
+    Grading operator()(const Cosine& grading) const { return grading; }
+    Grading operator()(const Positions& grading) const
+    {
+      Positions result;
+      for (auto p = grading.values.rbegin(); p != grading.values.rend(); ++p)
+        result.values.push_back(-*p);
+      return result;
+    }
+    Grading operator()(const Sizes& grading) const
+    {
+      return Sizes{{grading.values.rbegin(), grading.values.rend()}};
+    }
+  };
+  return std::visit(Reverse{}, grading);
+}
+
+std::optional<int> cell_count(const Grading& grading)
+{
+  if (const auto* list = std::get_if<Positions>(&grading))
+    return static_cast<int>(list->values.size()) - 1;
+  if (const auto* list = std::get_if<Sizes>(&grading))
+    return static_cast<int>(list->values.size());
+  return std::nullopt;
 }
 
 }  // namespace blockfsi::block

@@ -1,5 +1,6 @@
 #include "run/mesh.hpp"
 
+#include "block/cell_sizes.hpp"
 #include "block/connect.hpp"
 #include "block/place.hpp"
 #include "linalg/communicator.hpp"
@@ -15,7 +16,7 @@
 namespace blockfsi::run
 {
 
-Exit make_mesh(const case_file::Case& description, const std::filesystem::path& output)
+Exit make_mesh(const case_file::Case& description, const std::filesystem::path& output, bool sizes)
 {
   if (linalg::part().size > 1)
     throw Error("blockfsi mesh works with one process; leave out mpirun");
@@ -36,6 +37,8 @@ Exit make_mesh(const case_file::Case& description, const std::filesystem::path& 
              quality.scaled_jacobian, quality.smallest_angle, quality.largest_angle,
              quality.block >= 0 ? description.layout.blocks[quality.block].name : std::string("no block"));
   fmt::print("proved valid: {} of {} cells\n", validity.valid, mesh.cell_count());
+  if (sizes)
+    fmt::print("{}", block::table(block::cell_sizes(skeleton)));
   if (!output.empty())
   {
     std::vector<std::int32_t> proved;

@@ -44,6 +44,15 @@ class Mesh(RunTest):
         self.assertIn('Name="proved_valid"', text)
         self.assertEqual([path.name for path in self.folder.rglob("*") if path.is_file()], ["mesh.vtu"])
 
+    def test_sizes_lists_the_cells_of_every_edge(self):
+        lines = self.call("mesh", self.case, "--sizes").stdout.splitlines()
+        start = next(i for i, line in enumerate(lines) if line.startswith("edge "))
+        self.assertEqual(lines[start].split(), ["edge", "cells", "first", "[m]", "last", "[m]", "largest", "ratio"])
+        rows = [line.split() for line in lines[start + 1:]]
+        self.assertEqual(len(rows), 47)  # 30 points, 17 blocks, 1 hole: Euler
+        # The case asks for first cells of 6e-4 m at the square.
+        self.assertIn(["channel", "x0", "y1", "-", "channel", "x1", "y1", "4", "0.0336", "0.0006", "3.826"], rows)
+
     def test_a_file_that_cannot_be_written_is_a_mistake(self):
         (self.folder / "file").touch()
         self.assertIn("choose another folder",
