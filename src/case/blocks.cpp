@@ -2,6 +2,7 @@
 
 #include "block/names.hpp"
 #include "case/edge.hpp"
+#include "case/level_set.hpp"
 
 #include <fmt/format.h>
 
@@ -76,7 +77,7 @@ void read_lattices(const Value& value, Reading& reading, Layout& layout)
 void read_points(const Value& value, Reading& reading, Layout& layout)
 {
   for (const Field& field : table(value))
-    layout.points.push_back({field.name, point(field.value, reading.constants), field.where});
+    layout.points.push_back({field.name, corner_point(field.value, reading), field.where});
 }
 
 void read_quads(const Value& value, Reading& reading, Layout& layout)
@@ -101,8 +102,8 @@ void read_edges(const Value& value, Reading& reading, Layout& layout)
     edge.a = a;
     edge.b = b;
     edge.curve = data.curve.value_or(geometry::Segment{});
-    edge.divisions = data.divisions;
     edge.grading = data.grading;
+    edge.divisions = data.divisions || !data.grading ? data.divisions : block::cell_count(*data.grading);
     edge.where = field.where;
     layout.edges.push_back(std::move(edge));
   }
@@ -156,10 +157,12 @@ std::vector<Section> blocks_sections()
   std::vector<Section> result = {std::move(blocks)};
   for (Section& lattice : lattice_sections())
     result.push_back(std::move(lattice));
-  result.push_back({"[blocks.points]", "", {{"NAME", "[number, number]", "", "m", "a point"}}});
+  result.push_back({"[blocks.points]", "", {{"NAME", "[number, number] or table", "", "m", "a point"}}});
+  for (Section& point : point_sections())
+    result.push_back(std::move(point));
   result.push_back(section("[blocks.quads] NAME = { ... }", "", quad_keys()));
-  result.push_back(section("[blocks.edges] \"a - b\" = { ... }", "at most one of circle, through and formula",
-                           edge_keys()));
+  result.push_back(section("[blocks.edges] \"a - b\" = { ... }",
+                           "at most one of circle, through, formula and level_set", edge_keys()));
   for (Section& edge : edge_sections())
     result.push_back(std::move(edge));
   return result;

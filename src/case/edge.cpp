@@ -1,10 +1,13 @@
 #include "case/edge.hpp"
 
 #include "block/names.hpp"
+#include "case/level_set.hpp"
+#include "geometry/on_level_set.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -70,24 +73,115 @@ void read_formula(const Value& value, Reading& reading, EdgeData& edge)
   edge.curve = formula;
 }
 
-struct Sizes
+/// An edge on level sets.
+struct Surfaces
+{
+  std::vector<geometry::LevelSet> of;
+  std::optional<geometry::Point> direction;
+  bool by_length = true;
+};
+
+const Keys<Surfaces>& level_set_keys()
+{
+  static const Keys<Surfaces> keys = {
+      {{"of", "name or formula, or list of two", "required", "",
+        "level set of [geometry] or formula in x, y, z; with two, the edge lies on both"},
+       [](const Value& v, Reading& r, Surfaces& s) { s.of = one_or_two_level_sets(v, r); }},
+      {{"direction", "[number, number] or [number, number, number]", "gradient across the chord", "-",
+        "where to look from the chord, both ways"},
+       [](const Value& v, Reading& r, Surfaces& s) { s.direction = point_in_space(v, r.constants); }},
+      {{"spacing", "\"length\" or \"chord\"", "length", "",
+        "what the grading divides: the curve's length or the chord between its ends"},
+       [](const Value& v, Reading&, Surfaces& s)
+       {
+         static constexpr std::array<std::string_view, 2> kinds = {"length", "chord"};
+         s.by_length = choice(v, kinds) == 0;
+       }}};
+  return keys;
+}
+
+void read_level_set(const Value& value, Reading& reading, EdgeData& edge)
+{
+  Surfaces surfaces;
+  if (std::holds_alternative<Value::Table>(value.content))
+    read_keys(value, level_set_keys(), reading, surfaces);
+  else
+    surfaces.of = one_or_two_level_sets(value, reading);
+  if (surfaces.of.size() == 2 && surfaces.direction)
+    fail(value, "an edge on two level sets has no direction");
+  geometry::OnLevelSet curve{surfaces.of[0], {}, surfaces.direction, surfaces.by_length, {}};
+  if (surfaces.of.size() == 2)
+    curve.second = surfaces.of[1];
+  edge.curve = curve;
+}
+
+/// What a grading's table says.
+struct GradingData
 {
   std::optional<double> ratio;
   std::optional<double> first;
   std::optional<double> last;
+  bool hyperbolic = false;
+  std::vector<double> positions;
+  std::vector<double> sizes;
 };
 
-const Keys<Sizes>& sizes_keys()
+std::vector<double> grading_list(const Value& value, const Constants& constants, std::size_t at_least)
 {
-  static const Keys<Sizes> keys = {
-      {{"ratio", "number", "", "-",
-        "each cell is so many times as long as the one before; excludes first and last"},
-       [](const Value& v, Reading& r, Sizes& s) { s.ratio = number(v, r.constants, positive); }},
+  std::vector<double> result;
+  for (const Value& entry : list(value))
+    result.push_back(number(entry, constants));
+  if (result.size() < at_least)
+    fail(value, fmt::format("found {}, allowed are {} numbers or more", found(value), at_least));
+  return result;
+}
+
+const Keys<GradingData>& grading_keys()
+{
+  static const Keys<GradingData> keys = {
+      {{"ratio", "number", "", "-", "each cell is so many times as long as the one before"},
+       [](const Value& v, Reading& r, GradingData& g) { g.ratio = number(v, r.constants, positive); }},
       {{"first", "number", "", "m", "size of the first cell"},
-       [](const Value& v, Reading& r, Sizes& s) { s.first = number(v, r.constants, positive); }},
+       [](const Value& v, Reading& r, GradingData& g) { g.first = number(v, r.constants, positive); }},
       {{"last", "number", "", "m", "size of the last cell"},
-       [](const Value& v, Reading& r, Sizes& s) { s.last = number(v, r.constants, positive); }}};
+       [](const Value& v, Reading& r, GradingData& g) { g.last = number(v, r.constants, positive); }},
+      {{"law", "\"geometric\" or \"tanh\"", "geometric", "",
+        "how cells grow away from first or last; with both it is a hyperbolic tangent"},
+       [](const Value& v, Reading&, GradingData& g)
+       {
+         static constexpr std::array<std::string_view, 2> laws = {"geometric", "tanh"};
+         g.hyperbolic = choice(v, laws) == 1;
+       }},
+      {{"positions", "list of numbers", "", "-", "ends of the cells, ascending, on any scale"},
+       [](const Value& v, Reading& r, GradingData& g) { g.positions = grading_list(v, r.constants, 2); }},
+      {{"sizes", "list of numbers", "", "-", "sizes of the cells, relative to each other"},
+       [](const Value& v, Reading& r, GradingData& g) { g.sizes = grading_list(v, r.constants, 1); }}};
   return keys;
+}
+
+block::Grading grading_of(const Value& value, const GradingData& data)
+{
+  const bool by_ends = data.first || data.last;
+  const int kinds = (data.ratio ? 1 : 0) + (by_ends ? 1 : 0) + (data.positions.empty() ? 0 : 1) +
+                    (data.sizes.empty() ? 0 : 1);
+  if (kinds != 1)
+    fail(value, "allowed is exactly one of ratio, positions, sizes, or one or both of first and last");
+  if (value.find("law") && !by_ends)
+    fail(value, "a law goes with first or last only");
+  if (data.first && data.last && value.find("law") && !data.hyperbolic)
+    fail(value, "cells with both a first and a last size grow by a hyperbolic tangent; leave out the law");
+  if (data.ratio)
+    return block::Geometric{*data.ratio};
+  if (!data.positions.empty())
+    return block::Positions{data.positions};
+  if (!data.sizes.empty())
+    return block::Sizes{data.sizes};
+  if (data.first && data.last)
+    return block::TwoSided{*data.first, *data.last};
+  const double size = data.first ? *data.first : *data.last;
+  if (data.hyperbolic)
+    return block::OneSided{size, !data.first};
+  return block::FirstCell{size, !data.first};
 }
 
 const Keys<block::GradeTowards>& towards_keys()
@@ -126,7 +220,10 @@ const Keys<EdgeData>& curve_keys()
         "Lagrange's curve through these points between the ends"},
        read_through},
       {{"formula", "[formula, formula] in t", "", "m", "x and y for t from 0 at the start to 1 at the end"},
-       read_formula}};
+       read_formula},
+      {{"level_set", "name, formula, list of two or table", "", "",
+        "on a level set, or on two: found from the chord between the ends"},
+       read_level_set}};
   return keys;
 }
 
@@ -135,7 +232,7 @@ const Keys<EdgeData>& cells_keys()
   static const Keys<EdgeData> keys = {
       {{"divide", "whole number", "from opposite edges", "", "number of cells"},
        [](const Value& v, Reading& r, EdgeData& e) { e.divisions = integer(v, r.constants, 1, 100000); }},
-      {{"grade", "\"uniform\" or table", "uniform", "",
+      {{"grade", "\"uniform\", \"cosine\" or table", "uniform", "",
         "distribution of the cells from the first point to the second"},
        [](const Value& v, Reading& r, EdgeData& e) { e.grading = read_grading(v, r); }}};
   return keys;
@@ -155,20 +252,21 @@ block::Grading read_grading(const Value& value, Reading& reading)
 {
   if (!std::holds_alternative<Value::Table>(value.content))
   {
-    if (const auto* word = std::get_if<std::string>(&value.content); !word || *word != "uniform")
-      fail(value, fmt::format("found {}, allowed is \"uniform\" or a table with {}", found(value),
-                              listed(names(sizes_keys()))));
-    return block::Uniform{};
+    const auto* word = std::get_if<std::string>(&value.content);
+    if (word && *word == "uniform")
+      return block::Uniform{};
+    if (word && *word == "cosine")
+      return block::Cosine{};
+    fail(value, fmt::format("found {}, allowed is \"uniform\", \"cosine\" or a table with {}", found(value),
+                            listed(names(grading_keys()))));
   }
-  Sizes sizes;
-  read_keys(value, sizes_keys(), reading, sizes);
-  if (sizes.ratio && !sizes.first && !sizes.last)
-    return block::Geometric{*sizes.ratio};
-  if (sizes.ratio || (!sizes.first && !sizes.last))
-    fail(value, "allowed is either ratio or one or both of first and last");
-  if (sizes.first && sizes.last)
-    return block::TwoSided{*sizes.first, *sizes.last};
-  return block::FirstCell{sizes.first ? *sizes.first : *sizes.last, !sizes.first};
+  GradingData data;
+  read_keys(value, grading_keys(), reading, data);
+  const block::Grading grading = grading_of(value, data);
+  // Mistakes of lists are the same for every edge, so they are best told here.
+  if (const std::optional<int> count = block::cell_count(grading))
+    placed(value, [&] { return block::parameters(grading, *count, 1.0); });
+  return grading;
 }
 
 void read_grade_towards(const Value& value, Reading& reading, std::vector<block::GradeTowards>& grades)
@@ -209,7 +307,9 @@ std::array<int, 2> edge_points(const block::Layout& layout, const Location& wher
 std::vector<Section> edge_sections()
 {
   return {section("circle = { ... }", "", circle_keys()),
-          section("grade = { ... }", "either ratio or one or both of first and last", sizes_keys()),
+          section("level_set = { ... }", "of edges", level_set_keys()),
+          section("grade = { ... }",
+                  "exactly one of ratio, positions, sizes, or one or both of first and last", grading_keys()),
           section("grade = [{ ... }]", "in [blocks] and in lattices", towards_keys())};
 }
 

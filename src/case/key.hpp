@@ -3,8 +3,10 @@
 #include "case/tree.hpp"
 #include "case/value.hpp"
 #include "core/nearest.hpp"
+#include "geometry/level_set.hpp"
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +30,9 @@ struct Reading
   Constants constants;
   std::vector<std::string> boundaries;  ///< names in [boundaries]
   std::vector<Sample> samples;
+  std::map<std::string, geometry::LevelSet> level_sets;  ///< of [geometry], as far as they are read
+  const Value* geometry = nullptr;                       ///< the section [geometry]
+  std::vector<std::string> unfinished;  ///< names in [geometry] that are being read, each for the one before
 };
 
 /// A key as `describe` shows it.

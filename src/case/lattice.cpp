@@ -2,6 +2,7 @@
 
 #include "block/lattice.hpp"
 #include "case/edge.hpp"
+#include "case/level_set.hpp"
 
 #include <fmt/format.h>
 
@@ -93,7 +94,7 @@ void read_places(const Value& value, Reading& reading, Draft& draft)
   for (const Field& field : table(value))
   {
     const auto [i, j] = indices(field.name, draft.lattice, field.where, field.value.path);
-    const auto x = point(field.value, reading.constants);
+    const auto x = corner_point(field.value, reading);
     draft.lattice.places.push_back({i, j, {x[0], x[1]}});
   }
 }
@@ -191,7 +192,7 @@ const Keys<Draft>& lattice_keys()
        [](const Value& v, Reading& r, Draft& d) { d.lattice.grade_x = gradings(v, r); }},
       {{"grade_y", "list of gradings", "[]", "", "of the cells across each row, towards increasing y"},
        [](const Value& v, Reading& r, Draft& d) { d.lattice.grade_y = gradings(v, r); }},
-      {{"place", "table \"x1 y2\" = [number, number]", "{}", "m",
+      {{"place", "table \"x1 y2\" = [number, number] or table", "{}", "m",
         "points that do not sit where the lattice has them"},
        read_places},
       {{"curve", "list of tables", "[]", "", "edges that are not straight"}, read_curves}};

@@ -2,6 +2,7 @@
 
 #include "block/merge.hpp"
 #include "case/check.hpp"
+#include "case/level_set.hpp"
 #include "case/sections.hpp"
 
 #include <fmt/format.h>
@@ -44,10 +45,28 @@ double size(const block::Layout& layout)
   return std::hypot(high[0] - low[0], high[1] - low[1]);
 }
 
+/// Gives an edge on a level set its length. Where that fails, the check of the blocks tells why.
+void measure(const block::Layout& layout, block::Edge& edge)
+{
+  auto* curve = std::get_if<geometry::OnLevelSet>(&edge.curve);
+  if (!curve)
+    return;
+  try
+  {
+    *curve = geometry::measured(*curve, layout.points[edge.a].x, layout.points[edge.b].x);
+  }
+  catch (const Error&)
+  {
+    curve->lengths = nullptr;
+  }
+}
+
 void merge_blocks(Draft& draft)
 {
   draft.result.layout = draft.pieces;
   block::merge(draft.result.layout, merge_tolerance * size(draft.pieces));
+  for (block::Edge& edge : draft.result.layout.edges)
+    measure(draft.result.layout, edge);
 }
 
 /// A section: how `describe` shows it and how it is read.
@@ -64,7 +83,7 @@ std::vector<Section> title_sections()
 }
 
 /// In the order in which they build on each other, whatever the order of the file.
-constexpr std::array<Part, 12> parts = {
+constexpr std::array<Part, 13> parts = {
     {{"title", title_sections, [](const Value& v, Draft& d) { d.result.title = text(v); }},
      {"let", let_sections,
       [](const Value& v, Draft& d)
@@ -72,6 +91,7 @@ constexpr std::array<Part, 12> parts = {
         d.reading.constants = read_let(v);
         d.result.constants = d.reading.constants;
       }},
+     {"geometry", geometry_sections, [](const Value& v, Draft& d) { read_geometry(v, d.reading); }},
      {"blocks", blocks_sections, [](const Value& v, Draft& d) { read_blocks(v, d.reading, d.pieces); }},
      {"boundaries", boundaries_sections,
       [](const Value& v, Draft& d) { read_boundaries(v, d.reading, d.pieces); }},

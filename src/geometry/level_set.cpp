@@ -41,6 +41,11 @@ LevelSet::LevelSet(const Expression& formula)
 {
 }
 
+LevelSet LevelSet::named(std::string text) const
+{
+  return {std::move(text), field_->level, field_->value};
+}
+
 LevelSet translated(const LevelSet& domain, const Point& by)
 {
   return {domain.text(), [domain, by](const Point& x) { return domain(subtract(x, by)); },

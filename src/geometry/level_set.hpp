@@ -36,6 +36,8 @@ public:
   Level operator()(const Point& x) const { return field_->level(x); }
   /// φ at x.
   double value(const Point& x) const { return field_->value ? field_->value(x) : field_->level(x).value; }
+  /// The same level set with another text.
+  LevelSet named(std::string text) const;
   /// How the level set is named in messages: its formula, or what it was made of.
   const std::string& text() const { return field_->text; }
 

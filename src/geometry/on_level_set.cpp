@@ -118,7 +118,7 @@ void check_jump(const OnLevelSet& curve, const Point& a, const Point& b, double 
 
 Found find(const OnLevelSet& curve, const Point& a, const Point& b, double t)
 {
-  return search(curve, a, b, curve.lengths ? curve.lengths->parameter(t) : t);
+  return search(curve, a, b, curve.by_length && curve.lengths ? curve.lengths->parameter(t) : t);
 }
 
 Point evaluate(const OnLevelSet& curve, const Point& a, const Point& b, double t)
@@ -140,6 +140,13 @@ OnLevelSet measured(const OnLevelSet& curve, const Point& a, const Point& b)
   OnLevelSet result = curve;
   result.lengths = std::make_shared<const ArcLength>([&](double t) { return evaluate(by_chord, a, b, t); });
   return result;
+}
+
+double length(const OnLevelSet& curve, const Point& a, const Point& b)
+{
+  if (curve.lengths)
+    return curve.lengths->length();
+  return ArcLength([&](double t) { return evaluate(curve, a, b, t); }).length();
 }
 
 ProjectionReport project_edge(const OnLevelSet& curve, const Point& a, const Point& b,

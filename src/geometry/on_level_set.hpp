@@ -16,11 +16,11 @@ namespace blockfsi::geometry
 struct OnLevelSet
 {
   LevelSet surface;
-  std::optional<LevelSet> second;
-  std::optional<Point> direction;
-  /// Of the curve between its ends, made by `measured`: with it, the parameter is the share of the length,
-  /// without it that of the chord.
-  std::shared_ptr<const ArcLength> lengths;
+  std::optional<LevelSet> second{};
+  std::optional<Point> direction{};
+  bool by_length = true;  ///< the parameter is the share of the length, else that of the chord
+  /// Of the curve between its ends, made by `measured`; without it, the parameter is that of the chord.
+  std::shared_ptr<const ArcLength> lengths{};
 };
 
 /// Throws Error if an end does not lie on the level set (1e-9 of the chord), if a search between the ends
@@ -33,8 +33,11 @@ void check(const OnLevelSet& curve, const Point& a, const Point& b);
 /// The point at parameter t; throws Error where the search fails.
 Point evaluate(const OnLevelSet& curve, const Point& a, const Point& b, double t);
 
-/// The same curve with the share of its length as parameter. Throws Error where a search fails.
+/// The same curve with its lengths. Throws Error where a search fails.
 OnLevelSet measured(const OnLevelSet& curve, const Point& a, const Point& b);
+
+/// Length of the curve [m]. Throws Error where a search fails.
+double length(const OnLevelSet& curve, const Point& a, const Point& b);
 
 /// The nodes of an edge at ascending parameters t, shape (t.size()), the ends included: exactly a at 0 and b
 /// at

@@ -24,8 +24,6 @@ std::string whole_file(const std::filesystem::path& path)
 {
   std::ifstream stream(path, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream.good() && !stream.eof())
-    throw Error("cannot be read");
   if (text.empty())
     throw Error("cannot be read or is empty; give the path of a .vti file or of a text with samples");
   return text;

@@ -32,11 +32,13 @@ const std::vector<std::vector<std::string>> variations = {
 /// Tables whose keys are names that the user chooses.
 bool holds_names(const std::string& path)
 {
-  for (const char* table : {"[let]", "[blocks.points]", "[blocks.quads]", "[blocks.edges]", "[boundaries]", "[compare]"})
+  for (const char* table : {"[let]", "[blocks.points]", "[blocks.quads]", "[blocks.edges]", "[boundaries]",
+                            "[geometry]", "[compare]"})
     if (path == table)
       return true;
   return path == "[output] probes" || path == "[output] forces" || path.ends_with(" place") ||
-         path.find(" regenerate.follows") != std::string::npos || path == "[blocks.lattice]";
+         path.find(" regenerate.follows") != std::string::npos || path == "[blocks.lattice]" ||
+         path.ends_with("convolution.nodes");
 }
 
 void collect(const case_file::Value& value, const std::set<std::string>& names, std::set<std::string>& keys)

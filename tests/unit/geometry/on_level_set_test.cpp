@@ -80,7 +80,7 @@ Size measure(const Domain& domain, int p, int n, bool by_length)
   {
     const Point& a = domain.corners[e];
     const Point& b = domain.corners[(e + 1) % domain.corners.size()];
-    OnLevelSet curve{domain.surface, {}, {}, {}};
+    OnLevelSet curve{domain.surface, {}, {}};
     if (by_length)
       curve = measured(curve, a, b);
     for (int cell = 0; cell < n; ++cell)
@@ -159,7 +159,7 @@ TEST_CASE("all nodes of projected edges lie on the level set to 1e-13 of its siz
   for (const Domain& domain : {disc(), ellipse(), flower()})
     for (std::size_t e = 0; e < domain.corners.size(); ++e)
     {
-      const OnLevelSet curve{domain.surface, {}, {}, {}};
+      const OnLevelSet curve{domain.surface, {}, {}};
       const Point& a = domain.corners[e];
       const Point& b = domain.corners[(e + 1) % domain.corners.size()];
       CHECK(message_of(curve, a, b) == "");
@@ -177,7 +177,7 @@ TEST_CASE("a measured edge is cut into equal lengths")
   const Domain domain = ellipse();
   const Point& a = domain.corners[0];
   const Point& b = domain.corners[1];
-  const OnLevelSet curve = measured({domain.surface, {}, {}, {}}, a, b);
+  const OnLevelSet curve = measured({domain.surface, {}, {}}, a, b);
   CHECK(std::abs(curve.lengths->length() - 9.688448220547675 / 4.0) < 1e-12);
   CHECK(evaluate(curve, a, b, 0.0) == a);
   CHECK(evaluate(curve, a, b, 1.0) == b);
@@ -217,7 +217,7 @@ TEST_CASE("an edge on a sphere follows the great circle, at constant speed if me
   const LevelSet sphere = formula("x^2 + y^2 + z^2 - 4");
   const Point a{2.0, 0.0, 0.0};
   const Point b{0.0, 2.0 * std::cos(0.4), 2.0 * std::sin(0.4)};
-  const OnLevelSet curve = measured({sphere, {}, {}, {}}, a, b);
+  const OnLevelSet curve = measured({sphere, {}, {}}, a, b);
   CHECK(message_of(curve, a, b) == "");
   for (const double t : {0.2, 0.5, 0.9})
   {
@@ -234,7 +234,7 @@ TEST_CASE("an edge on two level sets lies on their curve, its nodes in planes no
   const double r = std::sqrt(3.0);
   const Point a{r, 0.0, 1.0};
   const Point b{0.0, r, 1.0};
-  const OnLevelSet curve{sphere, plane, {}, {}};
+  const OnLevelSet curve{sphere, plane, {}};
   CHECK(message_of(curve, a, b) == "");
   for (const double t : {0.2, 0.5, 0.9})
   {
@@ -249,7 +249,7 @@ TEST_CASE("an edge on two level sets lies on their curve, its nodes in planes no
 TEST_CASE("a direction of the user is searched both ways")
 {
   const LevelSet wave = formula("y - 0.3 * sin(2 * pi * x)");
-  const OnLevelSet curve{wave, {}, Point{0.0, 1.0, 0.0}, {}};
+  const OnLevelSet curve{wave, {}, Point{0.0, 1.0, 0.0}};
   CHECK(message_of(curve, {}, {1.0, 0.0, 0.0}) == "");
   CHECK(evaluate(curve, {}, {1.0, 0.0, 0.0}, 0.25)[1] == doctest::Approx(0.3).epsilon(1e-13));
   CHECK(evaluate(curve, {}, {1.0, 0.0, 0.0}, 0.75)[1] == doctest::Approx(-0.3).epsilon(1e-13));
@@ -260,20 +260,20 @@ TEST_CASE("edges that do not fit their level set are refused with the reason and
   const LevelSet circle = formula("x^2 + y^2 - 1");
   const Point a{1.0, 0.0, 0.0};
   const Point b{0.0, 1.0, 0.0};
-  CHECK(message_of({circle, {}, {}, {}}, a, {0.0, 1.1, 0.0}) ==
+  CHECK(message_of({circle, {}, {}}, a, {0.0, 1.1, 0.0}) ==
         "the end (0, 1.1) of the edge does not lie on the level set 'x^2 + y^2 - 1', whose value there is "
         "0.21; move it "
         "there, for instance to (0, 1)");
-  CHECK(message_of({circle, {}, Point{1.0, -1.0, 0.0}, {}}, a, b) ==
+  CHECK(message_of({circle, {}, Point{1.0, -1.0, 0.0}}, a, b) ==
         "the edge turns back at (1, 0) on the level set 'x^2 + y^2 - 1'; give another direction or split the "
         "edge");
-  CHECK(message_of({formula("(x^2 + y^2 - 1) * (x + y - 0.2)"), {}, Point{0.0, 0.0, 1.0}, {}}, a, b) ==
+  CHECK(message_of({formula("(x^2 + y^2 - 1) * (x + y - 0.2)"), {}, Point{0.0, 0.0, 1.0}}, a, b) ==
         "the search from (0.96875, 0.03125) along (0, 0, 1) found no point of the level set '(x^2 + y^2 - 1) "
         "* (x + y - "
         "0.2)': no change of sign between -1.41421 m and 1.41421 m; correct the level set or the ends, give "
         "a direction "
         "or split the edge");
   // Near its start the outer circle is next to the chord, near its end the inner one.
-  CHECK(message_of({formula("(x^2 + y^2 - 1) * (x^2 + y^2 - 4)"), {}, {}, {}}, {2.0, 0.0, 0.0}, b)
+  CHECK(message_of({formula("(x^2 + y^2 - 1) * (x^2 + y^2 - 4)"), {}, {}}, {2.0, 0.0, 0.0}, b)
             .starts_with("the edge jumps from ("));
 }
