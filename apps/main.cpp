@@ -2,6 +2,7 @@
 #include "case/describe.hpp"
 #include "linalg/communicator.hpp"
 #include "linalg/session.hpp"
+#include "run/compare.hpp"
 #include "run/failure.hpp"
 #include "run/mesh.hpp"
 #include "run/reference.hpp"
@@ -32,6 +33,9 @@ struct Arguments
   bool sizes = false;
   std::string level = "full";
   bool finished = false;
+  std::vector<std::string> motions;
+  std::vector<double> times;
+  bool prescribed = false;
 };
 
 blockfsi::case_file::Case read(const Arguments& arguments)
@@ -44,6 +48,15 @@ Exit run(const Arguments& arguments)
   const blockfsi::case_file::Case description = read(arguments);
   blockfsi::linalg::add_options(description.petsc_options);
   return blockfsi::run::run(description, {arguments.restart, arguments.directory});
+}
+
+Exit compare(const Arguments& arguments)
+{
+  const blockfsi::run::CompareOptions options{arguments.motions, arguments.directory, arguments.times};
+  blockfsi::linalg::add_options(read(arguments).petsc_options);
+  return arguments.prescribed
+             ? blockfsi::run::compare_prescribed(arguments.case_path, arguments.overrides, options)
+             : blockfsi::run::compare_runs(arguments.case_path, arguments.overrides, options);
 }
 
 Exit check(const Arguments& arguments)
@@ -100,6 +113,22 @@ Exit dispatch(int count, char** values)
   run_command->add_option("--directory", arguments.directory, "folder of the results");
   run_command->add_flag("--restart", arguments.restart, "continue from the newest checkpoint");
 
+  CLI::App* compare_command =
+      app.add_subcommand("compare", "run a case with several ways of moving its mesh, side by side");
+  add_case(*compare_command, arguments);
+  compare_command
+      ->add_option("--motion", arguments.motions,
+                   "names with commas between: keys of [motion], NAMEs of [compare.NAME], fixed, incremental")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  compare_command->add_option("--directory", arguments.directory, "folder of the results");
+  compare_command
+      ->add_option("--times", arguments.times, "times at which to draw the meshes, with commas between")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  compare_command->add_flag("--prescribed", arguments.prescribed,
+                            "without a fluid: bend the flap of section [prescribed]");
+
   CLI::App* check_command = app.add_subcommand("check", "find the mistakes of a case without solving");
   add_case(*check_command, arguments);
 
@@ -140,6 +169,8 @@ Exit dispatch(int count, char** values)
       return run(arguments);
     if (*verify_command)
       return verify(arguments);
+    if (*compare_command)
+      return compare(arguments);
     return *check_command ? check(arguments) : mesh(arguments);
   }
   catch (const std::exception& error)

@@ -9,6 +9,7 @@
 #include "output/parameters.hpp"
 #include "solid/parameters.hpp"
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -34,6 +35,18 @@ struct Motion
   Location where;
 };
 
+/// A flap that is bent without a fluid, to see how far its mesh follows.
+struct Prescribed
+{
+  std::array<double, 3> root{};  ///< ends of its straight centre line [m]
+  std::array<double, 3> tip{};
+  double angle = 120.0;  ///< at which sweeps end [degrees]
+  double step = 2.5;     ///< [degrees]
+  std::vector<double> show = {30.0, 60.0, 90.0, 120.0};
+  double amplitude = 60.0;  ///< of cycles [degrees]
+  int cycles = 3;
+};
+
 /// Everything that a case file says, checked: the parameters of all layers and the blocks.
 struct Case
 {
@@ -44,6 +57,7 @@ struct Case
   Motion motion;
   /// Other ways for `blockfsi compare`, by name.
   std::vector<std::pair<std::string, Motion>> variants;
+  std::optional<Prescribed> prescribed;
   std::optional<fluid::Parameters> fluid;
   std::optional<solid::Parameters> solid;
   fem::TimeParameters time;

@@ -83,7 +83,7 @@ std::vector<Section> title_sections()
 }
 
 /// In the order in which they build on each other, whatever the order of the file.
-constexpr std::array<Part, 13> parts = {
+constexpr auto parts = std::to_array<Part>(
     {{"title", title_sections, [](const Value& v, Draft& d) { d.result.title = text(v); }},
      {"let", let_sections,
       [](const Value& v, Draft& d)
@@ -108,10 +108,12 @@ constexpr std::array<Part, 13> parts = {
      {"compare", compare_sections,
       [](const Value& v, Draft& d)
       { read_compare(v, d.reading, d.pieces, d.result.layout, d.result.variants); }},
+     {"prescribed", prescribed_sections,
+      [](const Value& v, Draft& d) { read_prescribed(v, d.reading, d.result.prescribed.emplace()); }},
      {"output", output_sections,
       [](const Value& v, Draft& d) { read_output(v, d.reading, d.result.output); }},
      {"petsc", petsc_sections,
-      [](const Value& v, Draft& d) { read_petsc(v, d.reading, d.result.petsc_options); }}}};
+      [](const Value& v, Draft& d) { read_petsc(v, d.reading, d.result.petsc_options); }}});
 
 void check_sections(const Value& root)
 {

@@ -42,6 +42,9 @@ void read_compare(const Value& value, Reading& reading, const block::Layout& pie
                   const block::Layout& merged, std::vector<std::pair<std::string, Motion>>& variants);
 std::vector<Section> compare_sections();
 
+void read_prescribed(const Value& value, Reading& reading, Prescribed& prescribed);
+std::vector<Section> prescribed_sections();
+
 void read_fluid(const Value& value, Reading& reading, fluid::Parameters& parameters);
 std::vector<Section> fluid_sections();
 

@@ -4,6 +4,7 @@
 #include "linalg/communicator.hpp"
 #include "motion/velocity.hpp"
 #include "run/combine.hpp"
+#include "run/mesh_update.hpp"
 
 #include <stdexcept>
 #include <utility>
@@ -11,19 +12,18 @@
 namespace blockfsi::run
 {
 
-FluidSide::FluidSide(const block::Layout& layout, const block::Skeleton& skeleton,
-                     const fluid::Parameters& parameters, const std::vector<std::int64_t>& interface,
-                     const motion::Parameters& motion, const std::vector<block::Follow>& follows,
-                     Timings& timings)
-    : timings_(&timings), connected_(block::connect(layout, skeleton, parameters.region, linalg::part())),
+FluidSide::FluidSide(const case_file::Case& description, const block::Skeleton& skeleton,
+                     const std::vector<std::int64_t>& interface, Timings& timings)
+    : timings_(&timings),
+      connected_(block::connect(description.layout, skeleton, description.fluid->region, linalg::part())),
       numbering_(connected_.mesh.lattice, connected_.mesh.owner), interface_(interface, connected_.mesh),
       x_(block::initial_nodes(connected_, skeleton)),
-      motion_(motion::make_update(
-          motion, {skeleton, connected_.plan, connected_.mesh, numbering_, x_, interface}, follows)),
+      motion_(
+          make_update(description, {skeleton, connected_.plan, connected_.mesh, numbering_, x_, interface})),
       displacement_(2 * interface.size(), 0.0), x_new_(x_), x_geometry_(x_), w_(x_.size(), 0.0),
-      solver_(parameters, connected_.mesh, numbering_, x_, timings), state_(solver_.initial()),
-      z_(3 * connected_.mesh.node_count(), 0.0), reaction_(z_.size(), 0.0), quality_tables_(layout.order),
-      validity_tables_(layout.order),
+      solver_(*description.fluid, connected_.mesh, numbering_, x_, timings), state_(solver_.initial()),
+      z_(3 * connected_.mesh.node_count(), 0.0), reaction_(z_.size(), 0.0),
+      quality_tables_(description.layout.order), validity_tables_(description.layout.order),
       first_jacobian_(mesh::sample_jacobian(quality_tables_, connected_.mesh, x_))
 {
   measure();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "block/connect.hpp"
+#include "case/case.hpp"
 #include "core/timing.hpp"
 #include "coupling/interface.hpp"
 #include "fluid/solver.hpp"
@@ -22,9 +23,8 @@ class FluidSide
 {
 public:
   /// `interface`: skeleton numbers of the nodes that the solid moves; empty for a flow alone.
-  FluidSide(const block::Layout& layout, const block::Skeleton& skeleton, const fluid::Parameters& parameters,
-            const std::vector<std::int64_t>& interface, const motion::Parameters& motion,
-            const std::vector<block::Follow>& follows, Timings& timings);
+  FluidSide(const case_file::Case& description, const block::Skeleton& skeleton,
+            const std::vector<std::int64_t>& interface, Timings& timings);
   FluidSide(const FluidSide&) = delete;
   FluidSide& operator=(const FluidSide&) = delete;
 

@@ -114,8 +114,9 @@ struct Place
   std::uint64_t run;
 };
 
-/// Does one step after the other, until the end, a failure or a signal.
-Exit step_through(Simulation& simulation, Results& results, const InterruptGuard& guard, const Place& place)
+/// Does one step after the other, until the end, a failure or a signal; a failure's reason goes to `failure`.
+Exit step_through(Simulation& simulation, Results& results, const InterruptGuard& guard, const Place& place,
+                  const Observer& observer, std::string& failure)
 {
   const int checkpoint_every = simulation.description().output.checkpoint_every;
   Progress progress(simulation);
@@ -125,6 +126,7 @@ Exit step_through(Simulation& simulation, Results& results, const InterruptGuard
     if (!report.ok)
     {
       progress.end();
+      failure = report.failure;
       if (linalg::part().rank == 0)
         fmt::print(stderr, "blockfsi: {}; the last good state (t = {:g} s) is in the results\n",
                    report.failure, simulation.time());
@@ -137,6 +139,8 @@ Exit step_through(Simulation& simulation, Results& results, const InterruptGuard
         results.add_fields();
     }
     progress.step(report);
+    if (observer)
+      observer(simulation, report);
     if (linalg::any(guard.requested()))
     {
       progress.end();
@@ -150,8 +154,8 @@ Exit step_through(Simulation& simulation, Results& results, const InterruptGuard
   return Exit::done;
 }
 
-Exit carry_out(Simulation& simulation, bool is_restart, const Place& place,
-               std::chrono::steady_clock::time_point start)
+Outcome carry_out(Simulation& simulation, bool is_restart, const Place& place,
+                  std::chrono::steady_clock::time_point start, const Observer& observer)
 {
   const case_file::Case& description = simulation.description();
   const InterruptGuard guard;
@@ -166,8 +170,9 @@ Exit carry_out(Simulation& simulation, bool is_restart, const Place& place,
     results.add_fields();
 
   const std::int64_t first_step = simulation.step();
-  const Exit result = step_through(simulation, results, guard, place);
-  if (result != Exit::interrupted)
+  Outcome outcome;
+  outcome.exit = step_through(simulation, results, guard, place, observer, outcome.failure);
+  if (outcome.exit != Exit::interrupted)
   {
     const Stopwatch watch(simulation.timings(), Task::output);
     results.add_fields();
@@ -176,7 +181,11 @@ Exit carry_out(Simulation& simulation, bool is_restart, const Place& place,
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   say("{}", timing_summary(simulation.timings(), wall.count(), simulation.step() - first_step));
   conclude(simulation, place.folder);
-  return result;
+  outcome.steps = simulation.step() - first_step;
+  outcome.time = simulation.time();
+  outcome.wall = wall.count();
+  outcome.timings = simulation.timings();
+  return outcome;
 }
 
 }  // namespace
@@ -189,7 +198,7 @@ std::filesystem::path result_folder(const case_file::Case& description, const Ru
   return beside / (description.output.directory.empty() ? "results" : description.output.directory);
 }
 
-Exit run(const case_file::Case& description, const RunOptions& options)
+Outcome run_observed(const case_file::Case& description, const RunOptions& options, const Observer& observer)
 {
   if (!description.fluid && !description.solid)
     throw Error({description.path.string()}, "there is nothing to solve: the case has neither [fluid] nor "
@@ -201,13 +210,18 @@ Exit run(const case_file::Case& description, const RunOptions& options)
   try
   {
     return carry_out(simulation, options.restart,
-                     {folder, folder / "checkpoint", static_cast<std::uint64_t>(now)}, start);
+                     {folder, folder / "checkpoint", static_cast<std::uint64_t>(now)}, start, observer);
   }
   catch (const std::exception& error)
   {
     end_unless_all_failed(error);
     throw;
   }
+}
+
+Exit run(const case_file::Case& description, const RunOptions& options)
+{
+  return run_observed(description, options, {}).exit;
 }
 
 }  // namespace blockfsi::run

@@ -1,6 +1,5 @@
 #include "run/simulation.hpp"
 
-#include "block/corners.hpp"
 #include "linalg/communicator.hpp"
 
 #include <fmt/format.h>
@@ -50,26 +49,12 @@ Simulation::Simulation(const case_file::Case& description)
   if (case_.fluid && case_.solid)
     interface_ = block::interface_nodes(case_.layout, skeleton_, case_.fluid->region, case_.solid->region);
   if (case_.fluid)
-    fluid_ = std::make_unique<FluidSide>(case_.layout, skeleton_, *case_.fluid, interface_,
-                                         case_.motion.update, rules(), timings_);
+    fluid_ = std::make_unique<FluidSide>(case_, skeleton_, interface_, timings_);
   if (case_.solid)
     solid_ = std::make_unique<SolidSide>(case_.layout, skeleton_, *case_.solid, interface_, timings_);
   if (fluid_ && solid_)
     acceleration_ = std::make_unique<coupling::Acceleration>(case_.coupling, 2 * interface_.size());
   history_.assign(3, std::vector<double>(2 * interface_.size(), 0.0));
-}
-
-/// The rules of all corners that move though they are not on the interface.
-std::vector<block::Follow> Simulation::rules() const
-{
-  std::vector<block::Follow> all = case_.motion.follows;
-  if (case_.motion.corners == case_file::Corners::automatic && !interface_.empty())
-  {
-    const std::vector<block::Follow> more =
-        block::automatic_rules(case_.layout, skeleton_, interface_, case_.motion.follows);
-    all.insert(all.end(), more.begin(), more.end());
-  }
-  return all;
 }
 
 Simulation::~Simulation() = default;

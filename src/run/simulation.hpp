@@ -68,7 +68,6 @@ private:
   bool account(std::string_view what, const linalg::NewtonReport& solved, int& iterations,
                StepReport& report) const;
   void keep_interface(std::span<const double> d, double step);
-  std::vector<block::Follow> rules() const;
   std::string when() const;
 
   case_file::Case case_;
