@@ -103,6 +103,10 @@ struct Mesh
   int nodes_per_cell() const { return (order + 1) * (order + 1); }
 };
 
+/// Shapes of the cells, each once. Throws Error if one has another dimension than the coordinates: what asks
+/// for the sign of a Jacobian has none.
+std::vector<element::Shape> shapes_of(const Mesh& mesh);
+
 /// Position within a quadrilateral's row of node k (0..order) of a side, counted along increasing xi or eta.
 int side_node(int order, int side, int k);
 

@@ -1,6 +1,9 @@
 #include "mesh/quality.hpp"
 
+#include "core/error.hpp"
 #include "element/line.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -88,6 +91,51 @@ Quality measure_cell(const Tangents& tangents, int points, std::span<const doubl
   return quality;
 }
 
+/// Coordinates of the nodes of a cell.
+using CellNodes = std::array<double, 3 * (max_order + 1) * (max_order + 1) * (max_order + 1)>;
+
+std::span<const double> gather(const Mesh& mesh, std::int32_t c, std::span<const double> x, CellNodes& to)
+{
+  const auto dim = static_cast<std::size_t>(mesh.dim);
+  const std::span<const std::int32_t> nodes = mesh.cell(c);
+  // Relative to one node, so that a place far from the origin costs no digits.
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    for (std::size_t d = 0; d < dim; ++d)
+      to[dim * k + d] = x[dim * nodes[k] + d] - x[dim * nodes[0] + d];
+  return std::span(to).first(dim * nodes.size());
+}
+
+/// Quadrilaterals are measured by maps along lines, which is several times faster.
+bool is_flat_tensor(element::Shape shape)
+{
+  return shape == element::Shape::quadrilateral;
+}
+
+std::size_t sample_count(const QualityTables& tables, element::Shape shape)
+{
+  return is_flat_tensor(shape) ? tables.samples_per_cell() : tables.of(shape).samples.point_count;
+}
+
+/// A cell of any other shape.
+Quality measure_cell(const ShapeQuality& tables, std::span<const double> x, std::span<const double> first)
+{
+  const CellQuality of_cell = measure(tables, x);
+  Quality quality;
+  quality.scaled_jacobian = of_cell.scaled_jacobian;
+  quality.smallest_angle = of_cell.smallest_angle;
+  quality.largest_angle = of_cell.largest_angle;
+  if (first.empty())
+    return quality;
+  std::array<double, (max_order + 1) * (max_order + 1) * (max_order + 1)> now;
+  sample_jacobian(tables, x, now);
+  for (std::size_t s = 0; s < first.size(); ++s)
+  {
+    quality.smallest_change = std::min(quality.smallest_change, now[s] / first[s]);
+    quality.largest_change = std::max(quality.largest_change, now[s] / first[s]);
+  }
+  return quality;
+}
+
 }  // namespace
 
 Quality merge(const Quality& a, const Quality& b)
@@ -110,16 +158,40 @@ QualityTables::QualityTables(int order)
   maps = lagrange_maps(element::lobatto(order), element::lobatto(std::max(order, 4)));
 }
 
+QualityTables::QualityTables(const Mesh& mesh) : QualityTables(mesh.order)
+{
+  for (const element::Shape shape : shapes_of(mesh))
+    shapes.emplace_back(shape, mesh.order);
+}
+
+const ShapeQuality& QualityTables::of(element::Shape shape) const
+{
+  for (const ShapeQuality& tables : shapes)
+    if (tables.shape == shape)
+      return tables;
+  throw Error(fmt::format("no tables to measure cells of the shape {} were made", element::name(shape)));
+}
+
 std::vector<double> sample_jacobian(const QualityTables& tables, const Mesh& mesh, std::span<const double> x)
 {
-  const int samples = tables.samples_per_cell();
-  std::vector<double> result(mesh.cell_count() * samples);
+  std::vector<double> result;
   Tangents tangents;
-  for (std::size_t c = 0; c < mesh.cell_count(); ++c)
+  CellNodes nodes;
+  for (const CellRun& run : mesh.runs)
   {
-    evaluate(tables, mesh.cell(c), x, tangents);
-    for (int s = 0; s < samples; ++s)
-      result[c * samples + s] = tangents.jacobian(s);
+    const std::size_t samples = sample_count(tables, run.shape);
+    std::size_t at = result.size();
+    result.resize(at + run.count * samples);
+    for (std::int32_t c = run.first; c < run.first + run.count; ++c, at += samples)
+      if (is_flat_tensor(run.shape))
+      {
+        evaluate(tables, mesh.cell(c), x, tangents);
+        for (std::size_t s = 0; s < samples; ++s)
+          result[at + s] = tangents.jacobian(static_cast<int>(s));
+      }
+      else
+        sample_jacobian(tables.of(run.shape), gather(mesh, c, x, nodes),
+                        std::span(result).subspan(at, samples));
   }
   return result;
 }
@@ -127,19 +199,39 @@ std::vector<double> sample_jacobian(const QualityTables& tables, const Mesh& mes
 Quality measure(const QualityTables& tables, const Mesh& mesh, std::span<const double> x,
                 std::span<const double> first)
 {
-  const std::size_t samples = tables.samples_per_cell();
   Quality quality;
   Tangents tangents;
-  for (std::size_t c = 0; c < mesh.cell_count(); ++c)
+  CellNodes nodes;
+  std::size_t at = 0;
+  for (const CellRun& run : mesh.runs)
   {
-    evaluate(tables, mesh.cell(c), x, tangents);
-    const std::span<const double> before = first.empty() ? first : first.subspan(c * samples, samples);
-    Quality of_cell = measure_cell(tangents, tables.maps.value.rows, before);
-    of_cell.cell = mesh.number_of_cell(c);
-    of_cell.block = mesh.cell_block[c];
-    quality = merge(quality, of_cell);
+    const std::size_t samples = sample_count(tables, run.shape);
+    for (std::int32_t c = run.first; c < run.first + run.count; ++c, at += samples)
+    {
+      const std::span<const double> before = first.empty() ? first : first.subspan(at, samples);
+      Quality of_cell;
+      if (is_flat_tensor(run.shape))
+      {
+        evaluate(tables, mesh.cell(c), x, tangents);
+        of_cell = measure_cell(tangents, tables.maps.value.rows, before);
+      }
+      else
+        of_cell = measure_cell(tables.of(run.shape), gather(mesh, c, x, nodes), before);
+      of_cell.cell = mesh.number_of_cell(c);
+      of_cell.block = mesh.cell_block[c];
+      quality = merge(quality, of_cell);
+    }
   }
   return quality;
+}
+
+void measure_cells(const QualityTables& tables, const Mesh& mesh, std::span<const double> x,
+                   std::span<CellQuality> cells)
+{
+  CellNodes nodes;
+  for (const CellRun& run : mesh.runs)
+    for (std::int32_t c = run.first; c < run.first + run.count; ++c)
+      cells[c] = measure(tables.of(run.shape), gather(mesh, c, x, nodes));
 }
 
 }  // namespace blockfsi::mesh

@@ -375,20 +375,6 @@ void certify_run(const ValidityTables& tables, const Mesh& mesh, const CellRun& 
   }
 }
 
-std::vector<Shape> shapes_of(const Mesh& mesh)
-{
-  std::vector<Shape> shapes;
-  for (const CellRun& run : mesh.runs)
-  {
-    if (element::dimension(run.shape) != mesh.dim)
-      throw Error(fmt::format("a mesh in {} dimensions has cells of the shape {}, whose Jacobian has no sign",
-                              mesh.dim, element::name(run.shape)));
-    if (std::find(shapes.begin(), shapes.end(), run.shape) == shapes.end())
-      shapes.push_back(run.shape);
-  }
-  return shapes;
-}
-
 std::vector<double> mean_rows(const std::vector<Tangent>& tangents, std::size_t node_count)
 {
   std::vector<double> means(tangents.size() * node_count, 0.0);

@@ -27,9 +27,9 @@ Exit make_mesh(const case_file::Case& description, const std::filesystem::path& 
   const std::vector<double> x = block::initial_nodes(connected, skeleton);
   const std::chrono::duration<double> made = std::chrono::steady_clock::now() - start;
 
-  const mesh::Quality quality = mesh::measure(mesh::QualityTables(mesh.order), mesh, x);
+  const mesh::Quality quality = mesh::measure(mesh::QualityTables(mesh), mesh, x);
   std::vector<mesh::Verdict> verdicts(mesh.cell_count());
-  const mesh::Validity validity = mesh::certify(mesh::ValidityTables(mesh.order), mesh, x, verdicts);
+  const mesh::Validity validity = mesh::certify(mesh::ValidityTables(mesh), mesh, x, verdicts);
   fmt::print("{} blocks, {} cells of order {}, {} nodes, made in {:.3f} s\n",
              description.layout.blocks.size(), mesh.cell_count(), mesh.order, mesh.node_count(),
              made.count());
