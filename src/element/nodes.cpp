@@ -37,7 +37,7 @@ Barycentric side_node(std::span<const double> line, int corners, const Steps& st
 }
 
 /// The mean of the nodes that the sides have for the remaining steps, weighted by the line's node at the sum
-/// of these steps (Isaac 2020, eq. 6), for descending steps.
+/// of these steps (Isaac 2020), for descending steps.
 Barycentric sorted_node(std::span<const double> line, int corners, const Steps& steps)
 {
   const int n = std::accumulate(steps.begin(), steps.begin() + corners, 0);
