@@ -1,7 +1,6 @@
 #include "block/cells.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace blockfsi::block
 {
@@ -195,16 +194,19 @@ BlockCells::BlockCells(const Grid& cells, int order, int diagonal)
   }
   row_begin_.push_back(count_);
 
-  const int n = order + 1;
-  kinds_at_.assign(static_cast<std::size_t>(n) * n * n, 0);
+  const std::size_t n = static_cast<std::size_t>(order) + 1;
+  local_.assign(kinds_.size() * n * n * n, -1);
   for (std::size_t q = 0; q < kinds_.size(); ++q)
-    for (const LatticePoint& p : kinds_[q].nodes)
-      kinds_at_[p[0] + n * (p[1] + n * p[2])] |= static_cast<std::uint8_t>(1U << q);
+    for (std::size_t m = 0; m < kinds_[q].nodes.size(); ++m)
+    {
+      const LatticePoint& p = kinds_[q].nodes[m];
+      local_[p[0] + n * (p[1] + n * (p[2] + n * q))] = static_cast<std::int16_t>(m);
+    }
 }
 
 int BlockCells::row_count(int k) const
 {
-  return block::row_count(cells_, k) - 1;
+  return cells_.shape == Shape::segment ? 1 : block::row_count(cells_, k) - 1;
 }
 
 int BlockCells::box_count(int j, int k) const
@@ -239,7 +241,7 @@ std::int64_t BlockCells::number(int i, int j, int k, std::size_t kind) const
   return result;
 }
 
-std::int64_t BlockCells::lowest_cell(const LatticePoint& node) const
+BlockCells::Found BlockCells::find(const LatticePoint& node) const
 {
   const int n = order_ + 1;
   LatticePoint low{};
@@ -253,13 +255,21 @@ std::int64_t BlockCells::lowest_cell(const LatticePoint& node) const
     for (int j = low[1]; j <= std::min(high[1], row_count(k) - 1); ++j)
       for (int i = low[0]; i <= std::min(high[0], box_count(j, k) - 1); ++i)
       {
-        const std::uint8_t mask =
-            kinds_at_[(node[0] - order_ * i) + n * ((node[1] - order_ * j) + n * (node[2] - order_ * k))];
+        const int offset = (node[0] - order_ * i) + n * ((node[1] - order_ * j) + n * (node[2] - order_ * k));
         for (std::size_t q = 0; q < kinds_.size(); ++q)
-          if ((mask >> q & 1U) != 0 && i < count_in_row(kinds_[q], j, k))
-            return number(i, j, k, q);
+        {
+          const int local = local_[offset + static_cast<std::size_t>(n) * n * n * q];
+          if (local >= 0 && i < count_in_row(kinds_[q], j, k))
+            return {{i, j, k}, static_cast<int>(q), local};
+        }
       }
-  return std::numeric_limits<std::int64_t>::max();
+  return {{}, -1, -1};
+}
+
+std::int64_t BlockCells::lowest_cell(const LatticePoint& node) const
+{
+  const Found found = find(node);
+  return number(found.box[0], found.box[1], found.box[2], static_cast<std::size_t>(found.kind));
 }
 
 BlockCells::Boxes BlockCells::on_wall(const CellKind::OnWall& side, const CellKind& kind, int j, int k) const

@@ -58,7 +58,15 @@ public:
   std::int64_t row_begin(int j, int k) const { return row_begin_[row_index(j, k)]; }
   std::int64_t row_end(int j, int k) const { return row_begin_[row_index(j, k) + 1]; }
 
+  /// A cell with a node: its box, its place among the kinds, the node's place in the cell.
+  struct Found
+  {
+    element::LatticePoint box{};
+    int kind = 0;
+    int local = 0;
+  };
   /// The lowest cell that has a node of the block.
+  Found find(const element::LatticePoint& node) const;
   std::int64_t lowest_cell(const element::LatticePoint& node) const;
   /// Whether a side of a cell of some kind lies on its wall for boxes (j, k) of a row: those from `first` to
   /// `last`, empty if first > last.
@@ -80,8 +88,9 @@ private:
   std::vector<CellKind> kinds_;
   std::vector<std::int32_t> level_begin_;
   std::vector<std::int64_t> row_begin_;
-  /// For each offset of a node within a box, bit q: the kind q has it; shape ((order + 1)^3).
-  std::vector<std::uint8_t> kinds_at_;
+  /// Place in the cell of the node at an offset within a box, -1: the cell does not have it; shape (kinds,
+  /// (order + 1)^3).
+  std::vector<std::int16_t> local_;
 };
 
 }  // namespace blockfsi::block

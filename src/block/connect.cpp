@@ -265,7 +265,8 @@ Plan make_plan(const Layout& layout, const Skeleton& skeleton, const RegionCells
     std::copy(lattice.corners.begin(), lattice.corners.end(), block.corners.begin());
     block.sides = lattice.sides;
     block.rows = share.rows(lattice);
-    set_reference(edge_parameters(layout, skeleton, share.block), block);
+    set_reference(edge_parameters(layout, skeleton, share.block), skeleton.order, cells.diagonal(share.block),
+                  block);
     work = std::max(work, work_size(block, skeleton.dim));
   }
   plan.work.resize(work);

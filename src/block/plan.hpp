@@ -4,10 +4,13 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace blockfsi::block
 {
+
+class Resampling;
 
 /// Where the nodes within one block, or within one face, sit.
 struct BlockPlan
@@ -16,12 +19,17 @@ struct BlockPlan
   std::array<std::int32_t, 8> corners{};         ///< skeleton numbers
   std::vector<std::vector<std::int32_t>> sides;  ///< skeleton numbers of the nodes of each side, in its order
 
-  /// Graded coordinate of the lattice lines along each direction, where it depends on nothing else: the
-  /// shapes (steps[d] + 1); empty: see `reference`.
+  /// Graded coordinate of the lattice lines along each direction, where it depends on nothing else, shapes
+  /// (steps[d] + 1).
   std::array<std::vector<double>, 3> lines;
-  /// Else the graded reference coordinates of each placed node, row after row, shape (placed nodes,
-  /// dimension).
+  /// Else the graded reference coordinates of the nodes of `rows` (of `resampling` if there is one), row
+  /// after row, shape (nodes, dimension).
   std::vector<double> reference;
+  /// Of shapes with triangles: graded coordinates of the nodes of each side in its own directions, shape
+  /// (size of the side, dimension of the side).
+  std::vector<std::vector<double>> side_reference;
+  /// Of shapes with triangles at orders above 2: their maps are evaluated at equal steps within each cell.
+  std::shared_ptr<const Resampling> resampling;
 
   /// Consecutive inner nodes of a row that are placed: (begin, j, k) .. (end - 1, j, k).
   struct Row

@@ -1,5 +1,8 @@
 #include "block/reference.hpp"
 
+#include "block/crossing.hpp"
+#include "block/reference_triangular.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,13 +18,6 @@ using element::Shape;
 /// quadrilateral has the first two of each.
 constexpr std::array<std::array<int, 4>, 3> hexahedron_lines{{{0, 2, 4, 6}, {3, 1, 7, 5}, {8, 9, 11, 10}}};
 constexpr std::array<std::array<int, 2>, 2> quadrilateral_lines{{{0, 2}, {3, 1}}};
-
-/// u = (1 - v) bottom + v top, v = (1 - u) left + u right.
-std::array<double, 2> crossing(double bottom, double top, double left, double right)
-{
-  const double determinant = 1.0 - (right - left) * (top - bottom);
-  return {(bottom + left * (top - bottom)) / determinant, (left + bottom * (right - left)) / determinant};
-}
 
 void set_quadrilateral(const EdgeParameters& edges, BlockPlan& plan)
 {
@@ -106,18 +102,16 @@ std::vector<double> directed_parameters(const Skeleton& skeleton, const PlacedEd
   return t;
 }
 
-void set_reference(const EdgeParameters& edges, BlockPlan& plan)
+void set_reference(const EdgeParameters& edges, int order, int diagonal, BlockPlan& plan)
 {
   switch (plan.grid.shape)
   {
   case Shape::quadrilateral:
-    set_quadrilateral(edges, plan);
-    break;
+    return set_quadrilateral(edges, plan);
   case Shape::hexahedron:
-    set_hexahedron(edges, plan);
-    break;
+    return set_hexahedron(edges, plan);
   default:
-    break;
+    return set_triangular(edges, order, diagonal, plan);
   }
 }
 

@@ -15,9 +15,9 @@ using EdgeParameters = std::vector<std::vector<double>>;
 /// Parameters of the nodes of an edge from its end `first` on.
 std::vector<double> directed_parameters(const Skeleton& skeleton, const PlacedEdge& edge, int first);
 
-/// Sets the graded coordinates of the rows of a plan (`lines` or `reference`): the fixed point of the blend
-/// of the parameters on the edges (formulation.md 3), so that straight edges give straight lines between
-/// them.
-void set_reference(const EdgeParameters& edges, BlockPlan& plan);
+/// Sets the graded coordinates of the nodes of a plan: the fixed point of the blend of the parameters on the
+/// edges (formulation.md 3), so that nothing bends that has straight edges. Sets `resampling`, too, where the
+/// shape and the order need it.
+void set_reference(const EdgeParameters& edges, int order, int diagonal, BlockPlan& plan);
 
 }  // namespace blockfsi::block

@@ -74,7 +74,8 @@ RegionCells::RegionCells(const Layout& layout, const Skeleton& skeleton, std::st
     if (wanted[b])
       lattices_[b] = block_lattice(layout, skeleton, block);
     const Grid corners = wanted[b] ? lattices_[b].cells : Grid{layout.blocks[b].shape, {}};
-    cells_.emplace_back(corners, skeleton.order, shortest_diagonal(layout, layout.blocks[b]));
+    diagonals_.push_back(shortest_diagonal(layout, layout.blocks[b]));
+    cells_.emplace_back(corners, skeleton.order, diagonals_.back());
   }
   for (const int block : blocks_)
   {

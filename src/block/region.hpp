@@ -34,6 +34,8 @@ public:
   const BlockLattice& lattice(int block) const { return lattices_[block]; }
   /// Cells of a block of the region.
   const BlockCells& cells(int block) const { return cells_[block]; }
+  /// How the octahedra of a tetrahedron are split (BlockCells).
+  int diagonal(int block) const { return diagonals_[block]; }
   /// The first cell of a block, or -1 for a block of another region.
   std::int64_t first_cell(int block) const { return first_cell_[block]; }
   /// For each shape the number in the whole mesh of the first cell of this shape in a block.
@@ -58,6 +60,7 @@ private:
   std::vector<int> blocks_;
   std::vector<BlockLattice> lattices_;
   std::vector<BlockCells> cells_;
+  std::vector<int> diagonals_;
   std::vector<std::int64_t> first_cell_;
   std::vector<ShapeCounts> first_of_shape_;
   std::int64_t cell_count_ = 0;
