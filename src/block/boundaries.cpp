@@ -145,7 +145,8 @@ void assign(const Layout& layout, Skeleton& skeleton, int boundary)
   const auto sides =
       std::visit([&](const auto& rule) { return sides_by(rule, layout, skeleton); }, given.rule);
   for (const int side : sides)
-    claim(layout, skeleton, side, boundary);
+    if (!given.gives_way || (side_blocks(skeleton, side).size() == 1 && side_boundary(skeleton, side) < 0))
+      claim(layout, skeleton, side, boundary);
 }
 
 void check_name(const Layout& layout, int boundary)
@@ -194,19 +195,22 @@ void mark_edges(Skeleton& skeleton)
 
 void assign_boundaries(const Layout& layout, Skeleton& skeleton)
 {
-  for (std::size_t boundary = 0; boundary < layout.boundaries.size(); ++boundary)
-  {
-    try
-    {
-      check_name(layout, static_cast<int>(boundary));
-      assign(layout, skeleton, static_cast<int>(boundary));
-    }
-    catch (const Error& error)
+  for (const bool giving_way : {false, true})
+    for (std::size_t boundary = 0; boundary < layout.boundaries.size(); ++boundary)
     {
       const Boundary& given = layout.boundaries[boundary];
-      throw mistake(given.where, error.within(fmt::format("the boundary '{}'", given.name)).message());
+      if (given.gives_way != giving_way)
+        continue;
+      try
+      {
+        check_name(layout, static_cast<int>(boundary));
+        assign(layout, skeleton, static_cast<int>(boundary));
+      }
+      catch (const Error& error)
+      {
+        throw mistake(given.where, error.within(fmt::format("the boundary '{}'", given.name)).message());
+      }
     }
-  }
   check_complete(layout, skeleton);
   mark_edges(skeleton);
 }

@@ -5,6 +5,8 @@
 #include "core/expression.hpp"
 #include "element/shape.hpp"
 #include "geometry/curve.hpp"
+#include "geometry/level_set.hpp"
+#include "geometry/surface.hpp"
 
 #include <array>
 #include <optional>
@@ -39,8 +41,28 @@ struct Interpolated
 {
 };
 
-/// What shapes the inside of a face in 3D; its edges have curves of their own.
-using FaceGeometry = std::variant<Interpolated>;
+/// The face is the whole of a parametric surface: its corners, in the order in which the face lists them, are
+/// the surface's corners (geometry::corner). Nodes sit at their graded parameters.
+struct Patch
+{
+  geometry::Surface surface;
+};
+
+/// The nodes of the face are the points of a surface closest to its interpolation.
+struct OnSurface
+{
+  geometry::Surface surface;
+};
+
+/// The nodes of the face lie where normals of its interpolation meet a level set.
+struct OnLevelSet
+{
+  geometry::LevelSet level_set;
+};
+
+/// What shapes a face in 3D. Edges of a shaped face that have no curve of their own lie on its surface, too,
+/// or where those of two faces meet.
+using FaceGeometry = std::variant<Interpolated, Patch, OnSurface, OnLevelSet>;
 
 /// What the user says of one face in 3D; faces that nobody mentions are interpolated.
 struct Face
@@ -95,6 +117,9 @@ struct Boundary
   std::string name;
   std::variant<ByCondition, ByHole, ByEdges, ByFaces> rule;
   Location where;
+  /// It takes only what is left: outer sides that lie on no other boundary, perhaps none. So are the
+  /// boundaries that come with a piece, which others can overrule and which vanish where pieces are joined.
+  bool gives_way = false;
 };
 
 /// An edge of a hole, filled by the lattice that made it.

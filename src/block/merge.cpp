@@ -52,10 +52,20 @@ void renumber(Layout& layout, const std::vector<int>& number)
     edge.a = number[edge.a];
     edge.b = number[edge.b];
   }
+  const auto renumber_face = [&number](std::vector<int>& face)
+  {
+    for (int& point : face)
+      point = number[point];
+  };
+  for (Face& face : layout.faces)
+    renumber_face(face.points);
   for (Boundary& boundary : layout.boundaries)
-    if (auto* rule = std::get_if<ByEdges>(&boundary.rule))
-      for (auto& edge : rule->edges)
+    if (auto* edges = std::get_if<ByEdges>(&boundary.rule))
+      for (auto& edge : edges->edges)
         edge = {number[edge[0]], number[edge[1]]};
+    else if (auto* faces = std::get_if<ByFaces>(&boundary.rule))
+      for (std::vector<int>& face : faces->faces)
+        renumber_face(face);
 }
 
 Error contradiction(const Layout& layout, const Edge& first, const Edge& second, const char* what)
@@ -130,6 +140,34 @@ void join_edges(Layout& layout, double tolerance)
   layout.edges = std::move(kept);
 }
 
+/// Of several entries for one face the first that shapes it stays; shapes of different kinds contradict.
+void join_faces(Layout& layout)
+{
+  std::vector<Face> kept;
+  std::map<std::vector<int>, std::size_t> known;
+  for (const Face& face : layout.faces)
+  {
+    std::vector<int> points = face.points;
+    std::sort(points.begin(), points.end());
+    const auto [entry, is_new] = known.try_emplace(std::move(points), kept.size());
+    if (is_new)
+    {
+      kept.push_back(face);
+      continue;
+    }
+    Face& first = kept[entry->second];
+    if (std::holds_alternative<Interpolated>(first.geometry))
+      first = face;
+    else if (!std::holds_alternative<Interpolated>(face.geometry) &&
+             face.geometry.index() != first.geometry.index())
+      throw mistake(face.where,
+                    fmt::format("two pieces of the layout share the {} but give it different shapes{}; "
+                                "let only one of them say it",
+                                side_text(layout, face.points), place_text(first.where)));
+  }
+  layout.faces = std::move(kept);
+}
+
 }  // namespace
 
 void merge(Layout& layout, double tolerance)
@@ -137,6 +175,7 @@ void merge(Layout& layout, double tolerance)
   const std::vector<int> number = join_points(layout.points, tolerance);
   renumber(layout, number);
   join_edges(layout, tolerance);
+  join_faces(layout);
 }
 
 }  // namespace blockfsi::block

@@ -2,6 +2,7 @@
 #include "block/boundaries.hpp"
 #include "block/connect.hpp"
 #include "block/distribution.hpp"
+#include "block/face_shape.hpp"
 #include "block/message.hpp"
 #include "block/numbering.hpp"
 #include "block/reference.hpp"
@@ -106,7 +107,7 @@ void place_face(const PlacedFace& face, Skeleton& skeleton)
     plan.rows.push_back({j + 1, 0, 1, length + 1, node});
     node += length;
   }
-  set_reference(edge_parameters(skeleton, face), plan);
+  set_reference(edge_parameters(skeleton, face), skeleton.order, 0, plan);
   std::vector<double> work(work_size(plan, skeleton.dim));
   blend(plan, skeleton.dim, skeleton.x.data(), work.data(), skeleton.x.data());
 }
@@ -131,6 +132,7 @@ void place_all(const Layout& layout, const Topology& topology,
   check_finite(layout, skeleton);
   for (const PlacedFace& face : skeleton.faces)
     place_face(face, skeleton);
+  shape_faces(layout, topology, skeleton);
 }
 
 /// Cells of equal size on all edges.
@@ -144,8 +146,9 @@ std::vector<std::vector<double>> equal_cells(const Topology& topology)
 
 }  // namespace
 
-Skeleton make_skeleton(const Layout& layout)
+Skeleton make_skeleton(const Layout& given)
 {
+  const Layout layout = with_curves_on_faces(given);
   Topology topology = make_topology(layout);
   const std::vector<int> divisions = divide(layout, topology);
   for (std::size_t e = 0; e < topology.edges.size(); ++e)

@@ -38,6 +38,8 @@ public:
   double value(const Point& x) const { return field_->value ? field_->value(x) : field_->level(x).value; }
   /// The same level set with another text.
   LevelSet named(std::string text) const;
+  /// Whether both are copies of one level set.
+  bool same_as(const LevelSet& other) const { return field_ == other.field_; }
   /// How the level set is named in messages: its formula, or what it was made of.
   const std::string& text() const { return field_->text; }
 

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <sstream>
@@ -32,13 +33,17 @@ const std::vector<std::vector<std::string>> variations = {
 /// Tables whose keys are names that the user chooses.
 bool holds_names(const std::string& path)
 {
-  for (const char* table : {"[let]", "[blocks.points]", "[blocks.quads]", "[blocks.edges]", "[boundaries]",
-                            "[geometry]", "[compare]"})
+  for (const char* table : {"[let]", "[boundaries]", "[geometry]", "[compare]"})
     if (path == table)
       return true;
+  // Pieces, points, blocks, edges and faces have names.
+  for (const char* kind : {"lattice",   "box",     "disc", "annulus", "channel",  "ball",   "shell",
+                           "extrude",   "revolve", "copy", "mirror",  "tubes",    "points", "quads",
+                           "triangles", "hexes",   "tets", "prisms",  "pyramids", "edges",  "faces"})
+    if (path == std::string("[blocks] ") + kind || path == std::string("[blocks.") + kind + "]")
+      return true;
   return path == "[output] probes" || path == "[output] forces" || path.ends_with(" place") ||
-         path.find(" regenerate.follows") != std::string::npos || path == "[blocks.lattice]" ||
-         path.ends_with("convolution.nodes");
+         path.find(" regenerate.follows") != std::string::npos || path.ends_with("nodes");
 }
 
 void collect(const case_file::Value& value, const std::set<std::string>& names, std::set<std::string>& keys)
@@ -57,24 +62,30 @@ void collect(const case_file::Value& value, const std::set<std::string>& names, 
     }
 }
 
-/// All keys of the file in all its variations, which must be accepted; sections are no keys.
+/// Adds all keys of a file, which must be accepted; sections are no keys.
+void add_keys(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+              std::set<std::string>& keys)
+{
+  case_file::read(file, overrides);
+  const case_file::Value root = case_file::load(file, overrides);
+  std::set<std::string> boundaries;
+  for (const case_file::Field& field : std::get<case_file::Value::Table>(root.find("boundaries")->content))
+    boundaries.insert(field.name);
+  for (const case_file::Field& section : std::get<case_file::Value::Table>(root.content))
+  {
+    collect(section.value, boundaries, keys);
+    if (!std::holds_alternative<case_file::Value::Table>(section.value.content))
+      keys.insert(section.name);
+  }
+}
+
 std::set<std::string> parsed_keys()
 {
   std::set<std::string> keys;
   for (const std::vector<std::string>& overrides : variations)
-  {
-    case_file::read(everything, overrides);
-    const case_file::Value root = case_file::load(everything, overrides);
-    std::set<std::string> boundaries;
-    for (const case_file::Field& field : std::get<case_file::Value::Table>(root.find("boundaries")->content))
-      boundaries.insert(field.name);
-    for (const case_file::Field& section : std::get<case_file::Value::Table>(root.content))
-    {
-      collect(section.value, boundaries, keys);
-      if (!std::holds_alternative<case_file::Value::Table>(section.value.content))
-        keys.insert(section.name);
-    }
-  }
+    add_keys(everything, overrides, keys);
+  for (const char* file : {"everything_3d.toml", "everything_plane.toml"})
+    add_keys(everything.parent_path() / file, {}, keys);
   return keys;
 }
 
