@@ -132,6 +132,8 @@ std::string file_head(std::string_view type)
 void write_vtu(const std::filesystem::path& path, const mesh::Mesh& mesh, std::span<const double> x,
                std::span<const Field> fields, std::span<const CellField> cell_fields)
 {
+  if (mesh.dim != 2 || !mesh.is_all(element::Shape::quadrilateral))
+    throw Error("only meshes of quadrilaterals in the plane can be written to a .vtu file");
   check_size("coordinates", x.size(), 2 * mesh.node_count());
   std::string text = file_head("UnstructuredGrid");
   fmt::format_to(std::back_inserter(text),
