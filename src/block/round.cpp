@@ -67,6 +67,16 @@ void check_counts(const Piece& piece, int around, int radial)
                 fmt::format("found {} cells around and {} across, both must be at least 1", around, radial));
 }
 
+/// Of a disc or a ball.
+template <typename Round>
+void check_o_grid(const Piece& piece, const Round& round)
+{
+  piece.require(round.radius > 0.0, fmt::format("the radius is {:g} m, it must be positive", round.radius));
+  piece.require(round.core > 0.0 && round.core < 1.0,
+                fmt::format("the size of the core is {:g} radii, it must lie between 0 and 1", round.core));
+  check_counts(piece, round.around, round.radial);
+}
+
 /// Six blocks between two cubes of points, with the faces of either cube on a sphere where asked.
 std::array<std::vector<std::vector<int>>, 2> between_cubes(Piece& piece, const std::array<int, 8>& inner,
                                                            const std::array<int, 8>& outer, int around,
@@ -117,10 +127,7 @@ void onto_sphere(Piece& piece, const std::array<int, 8>& points, const std::vect
 void add(Layout& layout, const Disc& disc)
 {
   Piece piece(layout, disc.name, disc.region, disc.where);
-  piece.require(disc.radius > 0.0, fmt::format("the radius is {:g} m, it must be positive", disc.radius));
-  piece.require(disc.core > 0.0 && disc.core < 1.0,
-                fmt::format("the size of the core is {:g} radii, it must lie between 0 and 1", disc.core));
-  check_counts(piece, disc.around, disc.radial);
+  check_o_grid(piece, disc);
   const auto core = diagonal_points(piece, "core", disc.center, disc.core * disc.radius);
   const auto wall = diagonal_points(piece, "wall", disc.center, disc.radius);
   piece.block("core", Shape::quadrilateral, {core.begin(), core.end()});
@@ -188,10 +195,7 @@ void add(Layout& layout, const Ball& ball)
 {
   Piece piece(layout, ball.name, ball.region, ball.where);
   piece.require(layout.dim == 3, "a ball needs three dimensions; say dim = 3");
-  piece.require(ball.radius > 0.0, fmt::format("the radius is {:g} m, it must be positive", ball.radius));
-  piece.require(ball.core > 0.0 && ball.core < 1.0,
-                fmt::format("the size of the core is {:g} radii, it must lie between 0 and 1", ball.core));
-  check_counts(piece, ball.around, ball.radial);
+  check_o_grid(piece, ball);
   const auto core = cube_points(piece, "core", ball.center, ball.core * ball.radius);
   const auto wall = cube_points(piece, "wall", ball.center, ball.radius);
   piece.block("core", Shape::hexahedron, {core.begin(), core.end()});

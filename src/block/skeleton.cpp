@@ -62,12 +62,15 @@ void place_edge(const Layout& layout, const Topology& topology, int e, const std
                 const std::vector<double>& inner, Skeleton& skeleton)
 {
   const PlacedEdge& edge = skeleton.edges[e];
+  if (edge.count == 0)
+    return;
+  const geometry::Path path = edge_path(layout, topology, e);
   for (std::int64_t k = 0; k < edge.count; ++k)
   {
     const std::int64_t cell = (k + 1) / skeleton.order;
     const std::int64_t i = (k + 1) % skeleton.order;
     const double t = i == 0 ? corners[cell] : corners[cell] + inner[i] * (corners[cell + 1] - corners[cell]);
-    const geometry::Point x = edge_point(layout, topology, e, t);
+    const geometry::Point x = path.evaluate(t);
     const std::int64_t node = edge.first + k;
     skeleton.parameter[node] = t;
     std::copy_n(x.begin(), skeleton.dim, skeleton.x.begin() + node * skeleton.dim);

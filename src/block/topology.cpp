@@ -246,20 +246,17 @@ Topology make_topology(const Layout& layout)
   return topology;
 }
 
-geometry::Point edge_point(const Layout& layout, const Topology& topology, int edge, double t)
+geometry::Path edge_path(const Layout& layout, const Topology& topology, int edge)
 {
+  static const geometry::Curve straight = geometry::Segment{};
   const int info = topology.info[edge];
-  const geometry::Point& a = layout.points[topology.edges[edge].a].x;
-  const geometry::Point& b = layout.points[topology.edges[edge].b].x;
-  return geometry::evaluate(info < 0 ? geometry::Curve{} : layout.edges[info].curve, a, b, t);
+  return {info < 0 ? straight : layout.edges[info].curve, layout.points[topology.edges[edge].a].x,
+          layout.points[topology.edges[edge].b].x};
 }
 
 double edge_length(const Layout& layout, const Topology& topology, int edge)
 {
-  const int info = topology.info[edge];
-  const geometry::Point& a = layout.points[topology.edges[edge].a].x;
-  const geometry::Point& b = layout.points[topology.edges[edge].b].x;
-  return geometry::length(info < 0 ? geometry::Curve{} : layout.edges[info].curve, a, b);
+  return edge_path(layout, topology, edge).length();
 }
 
 double layout_size(const Layout& layout)

@@ -2,6 +2,7 @@
 
 #include "block/connect.hpp"
 #include "block/layout.hpp"
+#include "geometry/path.hpp"
 
 #include <array>
 #include <span>
@@ -75,8 +76,8 @@ int find_face(std::span<const PlacedFace> faces, std::span<const int> points);
 /// entries for one edge or face, an entry that no block has, a curve that does not fit.
 Topology make_topology(const Layout& layout);
 
-/// The point of an edge at parameter t.
-geometry::Point edge_point(const Layout& layout, const Topology& topology, int edge, double t);
+/// The curve of an edge, made ready for many points. Refers to the layout, which must outlive it.
+geometry::Path edge_path(const Layout& layout, const Topology& topology, int edge);
 
 /// Length of an edge [m].
 double edge_length(const Layout& layout, const Topology& topology, int edge);

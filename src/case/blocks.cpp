@@ -32,7 +32,7 @@ const Keys<Layout>& blocks_keys()
        [](const Value& v, Reading& r, Layout& l) { l.order = integer(v, r.constants, 1, 8); }},
       {{"divide", "whole number", "none", "", "number of cells along edges for which nothing else gives one"},
        [](const Value& v, Reading& r, Layout& l)
-       { l.default_divisions = integer(v, r.constants, 1, 100000); }},
+       { l.default_divisions = integer(v, r.constants, 1, most_cells); }},
       {{"grade", "list of tables", "[]", "", "cell sizes towards boundaries and regions"},
        [](const Value& v, Reading& r, Layout& l) { read_grade_towards(v, r, l.grade_towards); }}};
   return keys;

@@ -231,7 +231,7 @@ const Keys<EdgeData>& cells_keys()
 {
   static const Keys<EdgeData> keys = {
       {{"divide", "whole number", "from opposite edges", "", "number of cells"},
-       [](const Value& v, Reading& r, EdgeData& e) { e.divisions = integer(v, r.constants, 1, 100000); }},
+       [](const Value& v, Reading& r, EdgeData& e) { e.divisions = integer(v, r.constants, 1, most_cells); }},
       {{"grade", "\"uniform\", \"cosine\" or table", "uniform", "",
         "distribution of the cells from the first point to the second"},
        [](const Value& v, Reading& r, EdgeData& e) { e.grading = read_grading(v, r); }}};

@@ -14,6 +14,9 @@
 namespace blockfsi::case_file
 {
 
+/// Largest number of cells along an edge that a file may ask for.
+inline constexpr int most_cells = 100000;
+
 /// A formula of a field, with the place where it must have a finite value.
 struct Sample
 {

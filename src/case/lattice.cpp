@@ -36,7 +36,7 @@ std::vector<int> counts(const Value& value, const Constants& constants)
 {
   std::vector<int> result;
   for (const Value& entry : list(value))
-    result.push_back(integer(entry, constants, 0, 100000));
+    result.push_back(integer(entry, constants, 0, most_cells));
   return result;
 }
 

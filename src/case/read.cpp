@@ -1,6 +1,7 @@
 #include "case/case.hpp"
 
 #include "block/merge.hpp"
+#include "block/topology.hpp"
 #include "case/check.hpp"
 #include "case/level_set.hpp"
 #include "case/sections.hpp"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace blockfsi::case_file
@@ -31,20 +31,6 @@ struct Draft
 /// Pieces whose points are nearer than this share of the size of the whole are merged.
 constexpr double merge_tolerance = 1e-9;
 
-double size(const block::Layout& layout)
-{
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::array<double, 2> low = {infinity, infinity};
-  std::array<double, 2> high = {-infinity, -infinity};
-  for (const block::Point& point : layout.points)
-    for (std::size_t i = 0; i < 2; ++i)
-    {
-      low[i] = std::min(low[i], point.x[i]);
-      high[i] = std::max(high[i], point.x[i]);
-    }
-  return std::hypot(high[0] - low[0], high[1] - low[1]);
-}
-
 /// Gives an edge on a level set its length. Where that fails, the check of the blocks tells why.
 void measure(const block::Layout& layout, block::Edge& edge)
 {
@@ -64,7 +50,7 @@ void measure(const block::Layout& layout, block::Edge& edge)
 void merge_blocks(Draft& draft)
 {
   draft.result.layout = draft.pieces;
-  block::merge(draft.result.layout, merge_tolerance * size(draft.pieces));
+  block::merge(draft.result.layout, merge_tolerance * block::layout_size(draft.pieces));
   for (block::Edge& edge : draft.result.layout.edges)
     measure(draft.result.layout, edge);
 }

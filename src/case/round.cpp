@@ -14,8 +14,6 @@ namespace blockfsi::case_file
 namespace
 {
 
-constexpr int most_cells = 100000;
-
 /// Keys that pieces share.
 template <typename T>
 Key<T> region_key()

@@ -16,7 +16,6 @@ namespace blockfsi::case_file
 namespace
 {
 
-constexpr int most_cells = 100000;
 constexpr double degrees = std::numbers::pi / 180.0;
 
 /// A piece made from another one: what its keys say, and the piece.

@@ -16,8 +16,6 @@ namespace blockfsi::case_file
 namespace
 {
 
-constexpr int most_cells = 100000;
-
 /// Tubes on their way from the file.
 struct Draft
 {

@@ -18,7 +18,7 @@ std::atomic<long> count{0};
 void* operator new(std::size_t size)
 {
   ++count;
-  if (void* memory = std::malloc(size))
+  if (void* memory = std::malloc(size > 0 ? size : 1))
     return memory;
   throw std::bad_alloc();
 }
@@ -33,7 +33,7 @@ void operator delete(void* memory, std::size_t) noexcept
   std::free(memory);
 }
 
-namespace blockfsi::block::testing
+namespace blockfsi::testing
 {
 
 long allocation_count()
@@ -49,4 +49,4 @@ TEST_CASE("the tests' counter of allocations counts")
   CHECK(allocation_count() == before + 1);
 }
 
-}  // namespace blockfsi::block::testing
+}  // namespace blockfsi::testing

@@ -1,9 +1,9 @@
 #pragma once
 
-namespace blockfsi::block::testing
+namespace blockfsi::testing
 {
 
 /// Number of allocations by operator new since the start of the program.
 long allocation_count();
 
-}  // namespace blockfsi::block::testing
+}  // namespace blockfsi::testing

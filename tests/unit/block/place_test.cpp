@@ -1,6 +1,6 @@
 #include "block/place.hpp"
 
-#include "allocations.hpp"
+#include "../allocations.hpp"
 #include "block/blend.hpp"
 #include "block/move.hpp"
 #include "block/numbering.hpp"
@@ -177,9 +177,9 @@ TEST_CASE("placing allocates nothing")
   const Skeleton skeleton = make_skeleton(layout);
   const Connected fluid = connect(layout, skeleton, "fluid", {});
   std::vector<double> x(2 * fluid.mesh.node_count());
-  const long before = allocation_count();
+  const long before = blockfsi::testing::allocation_count();
   block::place(fluid.plan, skeleton.x, x);
-  const long after = allocation_count();
+  const long after = blockfsi::testing::allocation_count();
   CHECK(before > 0);
   CHECK(after == before);
 }

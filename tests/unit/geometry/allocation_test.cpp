@@ -1,3 +1,4 @@
+#include "../allocations.hpp"
 #include "geometry/boolean.hpp"
 #include "geometry/convolution.hpp"
 #include "geometry/on_level_set.hpp"
@@ -7,39 +8,11 @@
 #include <doctest/doctest.h>
 
 #include <array>
-#include <cstddef>
-#include <cstdlib>
-#include <new>
 #include <string_view>
 #include <vector>
 
 using namespace blockfsi;
 using namespace blockfsi::geometry;
-
-namespace
-{
-
-std::size_t allocation_count = 0;
-
-}  // namespace
-
-void* operator new(std::size_t size)
-{
-  ++allocation_count;
-  if (void* memory = std::malloc(size > 0 ? size : 1))
-    return memory;
-  throw std::bad_alloc();
-}
-
-void operator delete(void* memory) noexcept
-{
-  std::free(memory);
-}
-
-void operator delete(void* memory, std::size_t) noexcept
-{
-  std::free(memory);
-}
 
 TEST_CASE("searches for points of level sets allocate nothing")
 {
@@ -57,11 +30,11 @@ TEST_CASE("searches for points of level sets allocate nothing")
   for (const LevelSet& surface : {ball, vessel, grid, both})
   {
     const OnLevelSet edge{surface, {}, {}};
-    const std::size_t before = allocation_count;
+    const long before = testing::allocation_count();
     const Found along = project(surface, {0.3, 0.2, 0.1}, {1.0, 0.0, 0.0}, {.size = 1.0, .farthest = 3.0});
     const Found common = project(surface, cut, {0.8, 0.2, 0.1}, {.size = 1.0});
     const Found node = find(edge, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.4);
-    CHECK(allocation_count == before);
+    CHECK(testing::allocation_count() == before);
     CHECK(along.ok());
     CHECK(common.ok());
     CHECK(node.ok());

@@ -1,39 +1,11 @@
+#include "../allocations.hpp"
 #include "cells.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/validity.hpp"
 
 #include <doctest/doctest.h>
 
-#include <cstddef>
-#include <cstdlib>
-#include <new>
-
 using namespace blockfsi;
-
-namespace
-{
-
-std::size_t allocation_count = 0;
-
-}  // namespace
-
-void* operator new(std::size_t size)
-{
-  ++allocation_count;
-  if (void* memory = std::malloc(size > 0 ? size : 1))
-    return memory;
-  throw std::bad_alloc();
-}
-
-void operator delete(void* memory) noexcept
-{
-  std::free(memory);
-}
-
-void operator delete(void* memory, std::size_t) noexcept
-{
-  std::free(memory);
-}
 
 TEST_CASE("measuring and certifying a mesh allocates nothing")
 {
@@ -50,10 +22,10 @@ TEST_CASE("measuring and certifying a mesh allocates nothing")
     const mesh::ValidityTables validity_tables(order);
     const std::vector<double> first = mesh::sample_jacobian(quality_tables, sample.mesh, sample.x);
     std::vector<mesh::Verdict> verdicts(sample.mesh.cell_count());
-    const std::size_t before = allocation_count;
+    const long before = testing::allocation_count();
     const mesh::Quality quality = mesh::measure(quality_tables, sample.mesh, sample.x, first);
     const mesh::Validity validity = mesh::certify(validity_tables, sample.mesh, sample.x, verdicts);
-    const std::size_t after = allocation_count;
+    const long after = testing::allocation_count();
     CHECK(after == before);
     CHECK(quality.scaled_jacobian < 0.0);
     CHECK(validity.invalid > 0);
@@ -83,11 +55,11 @@ TEST_CASE("measuring and certifying cells of every shape allocates nothing")
       const std::vector<double> first = mesh::sample_jacobian(quality_tables, sample.mesh, sample.x);
       std::vector<mesh::Verdict> verdicts(3);
       std::vector<mesh::CellQuality> cells(3);
-      const std::size_t before = allocation_count;
+      const long before = testing::allocation_count();
       const mesh::Quality quality = mesh::measure(quality_tables, sample.mesh, sample.x, first);
       mesh::measure_cells(quality_tables, sample.mesh, sample.x, cells);
       const mesh::Validity validity = mesh::certify(validity_tables, sample.mesh, sample.x, verdicts);
-      const std::size_t after = allocation_count;
+      const long after = testing::allocation_count();
       CHECK(after == before);
       CHECK(quality.cell == 2);
       CHECK(cells[2].scaled_jacobian < 0.0);
