@@ -80,8 +80,9 @@ geometry::Curve moved(const geometry::Curve& curve, const geometry::Point& a, co
 {
   if (std::holds_alternative<geometry::Segment>(curve))
     return curve;
-  if (const auto* arc = std::get_if<geometry::Arc>(&curve))
-    return geometry::Arc{map(arc->center)};
+  // An axis would have to turn round in a reflection: such arcs are functions as all others.
+  if (const auto* arc = std::get_if<geometry::Arc>(&curve); arc && !arc->axis && is_rigid(map))
+    return geometry::Arc{map(arc->center), arc->longer, {}};
   return geometry::Function{[=](double t) { return map(geometry::evaluate(curve, a, b, t)); }};
 }
 

@@ -188,3 +188,22 @@ TEST_CASE("boundaries of a piece give way to others and vanish inside")
   CHECK(mesh.mesh.boundaries.count("left x1") == 0);
   CHECK(sample::area(mesh, "right x1") == doctest::Approx(1.0).epsilon(1e-14));
 }
+
+TEST_CASE("a moved curve is where the map takes the points of the curve")
+{
+  const blockfsi::geometry::Point a{1, 0, 0};
+  const blockfsi::geometry::Point b{0, 1, 0};
+  const blockfsi::geometry::Point opposite{-1, 0, 0};
+  using blockfsi::geometry::Arc;
+  const std::vector<std::pair<blockfsi::geometry::Curve, blockfsi::geometry::Point>> curves = {
+      {Arc{{0, 0, 0}, false, {}}, b},
+      {Arc{{0, 0, 0}, true, {}}, b},
+      {Arc{{0, 0, 0}, false, blockfsi::geometry::Point{0, 0, 1}}, opposite}};
+  for (const auto& [curve, end] : curves)
+    for (const Affine& map :
+         {translation({1, 2, 3}), rotation({1, 1, 0}, {1, 2, 2}, 0.7), reflection({0, 0, 0}, {1, 1, 0})})
+      for (const double t : {0.25, 0.5, 0.75})
+        CHECK(blockfsi::geometry::distance(
+                  blockfsi::geometry::evaluate(moved(curve, a, end, map), map(a), map(end), t),
+                  map(blockfsi::geometry::evaluate(curve, a, end, t))) < 1e-13);
+}
