@@ -2,6 +2,8 @@
 
 #include "core/error.hpp"
 
+#include <fmt/format.h>
+
 #include <zlib.h>
 
 #include <algorithm>
@@ -43,11 +45,31 @@ std::size_t compress_block(std::span<const std::byte> block, std::vector<std::by
   return size;
 }
 
+constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+constexpr std::int8_t no_digit = -1;
+constexpr std::int8_t padding = -2;
+constexpr std::int8_t space = -3;
+
+/// Value of each character of base64.
+constexpr std::array<std::int8_t, 256> make_digit_values()
+{
+  std::array<std::int8_t, 256> values{};
+  values.fill(no_digit);
+  for (std::size_t k = 0; k < digits.size(); ++k)
+    values[static_cast<unsigned char>(digits[k])] = static_cast<std::int8_t>(k);
+  values['='] = padding;
+  for (const char c : {' ', '\n', '\r', '\t'})
+    values[static_cast<unsigned char>(c)] = space;
+  return values;
+}
+
+constexpr std::array<std::int8_t, 256> digit_values = make_digit_values();
+
 }  // namespace
 
 std::string encode_base64(std::span<const std::byte> bytes)
 {
-  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text((bytes.size() + 2) / 3 * 4, '=');
   std::size_t at = 0;
   for (std::size_t i = 0; i < bytes.size(); i += 3)
@@ -74,6 +96,66 @@ std::string encode_compressed(std::span<const std::byte> bytes)
     header.push_back(compress_block(bytes.subspan(first, size), compressed));
   }
   return encode_base64(std::as_bytes(std::span(header))) + encode_base64(compressed);
+}
+
+void Allowance::take(std::uint64_t bytes)
+{
+  if (bytes > left_)
+    throw Error("its arrays unpack to more than a hundred times the size of the file, so it is not a mesh");
+  left_ -= bytes;
+}
+
+bool Base64Reader::decode_group()
+{
+  std::uint32_t bits = 0;
+  int characters = 0;
+  int padded = 0;
+  while (characters < 4)
+  {
+    if (at_ == text_.size())
+    {
+      if (characters == 0)
+        return false;
+      throw Error("its base64 text is cut off");
+    }
+    const std::int8_t value = digit_values[static_cast<unsigned char>(text_[at_++])];
+    if (value == space)
+      continue;
+    if (value == no_digit || (value == padding && characters < 2) || (value != padding && padded > 0))
+      throw Error(fmt::format("character {} of its base64 text has no place there", at_));
+    padded += value == padding ? 1 : 0;
+    bits = (bits << 6) | static_cast<std::uint32_t>(value == padding ? 0 : value);
+    ++characters;
+  }
+  left_ = 3 - padded;
+  for (int k = 0; k < 3; ++k)
+    group_[k] = static_cast<std::byte>((bits >> (16 - 8 * k)) & 255);
+  // Bytes are taken from the end of the group's array.
+  std::move_backward(group_.begin(), group_.begin() + left_, group_.end());
+  return true;
+}
+
+std::vector<std::byte> Base64Reader::take(std::uint64_t count)
+{
+  if (count > text_.size() - at_ + left_)
+    throw Error(fmt::format("its base64 text ends before the {} bytes that it should hold", count));
+  std::vector<std::byte> bytes(count);
+  for (std::byte& byte : bytes)
+  {
+    if (left_ == 0 && !decode_group())
+      throw Error(fmt::format("its base64 text ends before the {} bytes that it should hold", count));
+    byte = group_[3 - left_--];
+  }
+  return bytes;
+}
+
+void decompress(std::span<const std::byte> compressed, std::span<std::byte> result)
+{
+  uLongf size = result.size();
+  const int status = uncompress(reinterpret_cast<Bytef*>(result.data()), &size,
+                                reinterpret_cast<const Bytef*>(compressed.data()), compressed.size());
+  if (status != Z_OK || size != result.size())
+    throw Error("its compressed data are damaged");
 }
 
 std::string escape_xml(std::string_view text)

@@ -1,14 +1,16 @@
 #include "output/vtu.hpp"
 
 #include "core/error.hpp"
-#include "element/line.hpp"
-#include "mesh/tensor.hpp"
 #include "output/encode.hpp"
 #include "output/file.hpp"
+#include "output/lattice_values.hpp"
+#include "output/node_order.hpp"
+#include "output/vtk_types.hpp"
 
 #include <fmt/format.h>
 
 #include <iterator>
+#include <optional>
 #include <string_view>
 #include <type_traits>
 
@@ -18,56 +20,7 @@ namespace blockfsi::output
 namespace
 {
 
-constexpr int vtk_quad = 9;
-constexpr int vtk_lagrange_quadrilateral = 70;
-
-/// Our position in the cell of each of VTK's nodes: corners, sides (each along increasing xi or eta), inner
-/// nodes.
-std::vector<int> vtk_order(int order)
-{
-  const int n = order + 1;
-  std::vector<int> positions = {0, order, order * n + order, order * n};
-  for (int side = 0; side < 4; ++side)
-    for (int k = 1; k < order; ++k)
-      positions.push_back(mesh::side_node(order, side, k));
-  for (int j = 1; j < order; ++j)
-    for (int i = 1; i < order; ++i)
-      positions.push_back(i + j * n);
-  return positions;
-}
-
-/// Values at equispaced nodes of a field given at Gauss-Lobatto-Legendre nodes, as shape (node_count, width)
-/// with zeros behind the components. A node gets the same value, up to rounding, from each of its cells: on a
-/// side only the nodes of the side count, and both families of points are symmetric.
-std::vector<double> at_equispaced(const mesh::Mesh& mesh, std::span<const double> values, int components,
-                                  int width)
-{
-  std::vector<double> points(mesh.order + 1);
-  for (int i = 0; i <= mesh.order; ++i)
-    points[i] = static_cast<double>(i) / mesh.order;
-  const mesh::LineMap map = mesh::lagrange_maps(element::lobatto(mesh.order), points).value;
-  std::vector<double> result(mesh.node_count() * width);
-  std::vector<double> from(mesh.nodes_per_cell());
-  std::vector<double> to(mesh.nodes_per_cell());
-  for (std::size_t c = 0; c < mesh.cell_count(); ++c)
-  {
-    const std::span<const std::int32_t> nodes = mesh.cell(c);
-    for (int d = 0; d < components; ++d)
-    {
-      for (std::size_t k = 0; k < nodes.size(); ++k)
-        from[k] = values[nodes[k] * components + d];
-      mesh::apply(map, map, from, to);
-      for (std::size_t k = 0; k < nodes.size(); ++k)
-        result[nodes[k] * width + d] = to[k];
-    }
-  }
-  return result;
-}
-
-int written_components(const Field& field)
-{
-  return field.components == 2 ? 3 : field.components;
-}
+using element::Shape;
 
 template <typename T>
 constexpr std::string_view type_name()
@@ -83,29 +36,102 @@ constexpr std::string_view type_name()
 }
 
 template <typename T>
-void add_array(std::string& text, std::string_view name, int components, std::span<const T> values)
+void add_array(std::string& text, std::string_view name, int components, std::span<const T> values,
+               std::string_view more = {})
 {
   fmt::format_to(std::back_inserter(text),
-                 "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">\n",
-                 type_name<T>(), escape_xml(name), components);
+                 "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"{} format=\"binary\">\n",
+                 type_name<T>(), escape_xml(name), components, more);
   text += encode_compressed(std::as_bytes(values));
   text += "\n</DataArray>\n";
 }
 
-void add_cells(std::string& text, const mesh::Mesh& mesh)
+/// The points of a file: the nodes of the mesh, then those that pyramids need in addition.
+class FilePoints
 {
-  const std::vector<int> positions = vtk_order(mesh.order);
+public:
+  explicit FilePoints(const mesh::Mesh& mesh)
+      : mesh_(mesh), change_(mesh, element::NodeKind::warped, element::NodeKind::equispaced)
+  {
+    for (const mesh::CellRun& run : mesh.runs)
+      if (run.shape == Shape::pyramid && mesh.order > 1)
+        add_pyramids(run);
+  }
+
+  std::size_t count() const
+  {
+    return mesh_.node_count() + (pyramids_.count > 0 ? pyramids_.count * collapsed_->extra.size() : 0);
+  }
+
+  /// A nodal field there, shape (count, width).
+  std::vector<double> values(std::span<const double> nodal, int components, int width) const
+  {
+    std::vector<double> result = change_(nodal, components, width);
+    result.resize(count() * width);
+    std::size_t point = mesh_.node_count();
+    for (std::int32_t c = pyramids_.first; c < pyramids_.first + pyramids_.count; ++c)
+    {
+      const std::span<const std::int32_t> nodes = mesh_.cell(c);
+      for (int q = 0; q < table_.point_count; ++q, ++point)
+        for (std::size_t k = 0; k < nodes.size(); ++k)
+          for (int d = 0; d < components; ++d)
+            result[point * width + d] +=
+                table_.value[q * nodes.size() + k] * nodal[std::size_t(nodes[k]) * components + d];
+    }
+    return result;
+  }
+
+  /// What stands at each point of the lattice that VTK uses for a cell.
+  void points(std::int32_t cell, std::vector<std::int32_t>& result) const
+  {
+    const std::span<const std::int32_t> nodes = mesh_.cell(cell);
+    result.assign(nodes.begin(), nodes.end());
+    if (cell < pyramids_.first || cell >= pyramids_.first + pyramids_.count)
+      return;
+    const auto extra =
+        static_cast<std::int32_t>(mesh_.node_count() + (cell - pyramids_.first) * collapsed_->extra.size());
+    result.clear();
+    for (const std::int32_t at : collapsed_->hexahedron)
+      result.push_back(at >= 0 ? nodes[at] : extra - 1 - at);
+  }
+
+private:
+  void add_pyramids(const mesh::CellRun& run)
+  {
+    pyramids_ = run;
+    collapsed_.emplace(mesh_.order);
+    std::vector<element::Point> points;
+    for (const auto& [x, y, z] : collapsed_->extra)
+      points.push_back({x * (1.0 - z), y * (1.0 - z), z});
+    table_ = element::tabulate(Shape::pyramid, mesh_.order, points, 0);
+  }
+
+  const mesh::Mesh& mesh_;
+  LatticeChange change_;
+  mesh::CellRun pyramids_{.count = 0};
+  std::optional<CollapsedPyramid> collapsed_;
+  element::CellTable table_;
+};
+
+void add_cells(std::string& text, const mesh::Mesh& mesh, const FilePoints& points)
+{
   std::vector<std::int32_t> connectivity;
   connectivity.reserve(mesh.cells.size());
   std::vector<std::int64_t> offsets;
-  for (std::size_t c = 0; c < mesh.cell_count(); ++c)
+  std::vector<std::uint8_t> types;
+  std::vector<std::int32_t> lattice;
+  for (const mesh::CellRun& run : mesh.runs)
   {
-    for (const int position : positions)
-      connectivity.push_back(mesh.cell(c)[position]);
-    offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+    const VtkType type = vtk_type(run.shape, mesh.order);
+    for (std::int32_t c = run.first; c < run.first + run.count; ++c)
+    {
+      points.points(c, lattice);
+      for (const std::int32_t at : type.order)
+        connectivity.push_back(lattice[at]);
+      offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+      types.push_back(type.number);
+    }
   }
-  const std::vector<std::uint8_t> types(mesh.cell_count(),
-                                        mesh.order == 1 ? vtk_quad : vtk_lagrange_quadrilateral);
   text += "<Cells>\n";
   add_array<std::int32_t>(text, "connectivity", 1, connectivity);
   add_array<std::int64_t>(text, "offsets", 1, offsets);
@@ -113,10 +139,38 @@ void add_cells(std::string& text, const mesh::Mesh& mesh)
   text += "</Cells>\n";
 }
 
-void check_size(std::string_view name, std::size_t found, std::size_t expected)
+/// Strings are written as their bytes, each followed by a zero.
+void add_names(std::string& text, std::string_view name, std::span<const std::string> values)
 {
-  if (found != expected)
-    throw Error(fmt::format("field '{}' has {} values, but the mesh needs {}", name, found, expected));
+  fmt::format_to(std::back_inserter(text),
+                 "<Array type=\"String\" Name=\"{}\" NumberOfTuples=\"{}\" format=\"ascii\">\n", name,
+                 values.size());
+  for (const std::string& value : values)
+  {
+    for (const char c : value)
+      fmt::format_to(std::back_inserter(text), "{} ", static_cast<unsigned>(static_cast<unsigned char>(c)));
+    text += "0\n";
+  }
+  text += "</Array>\n";
+}
+
+void add_field_data(std::string& text, const mesh::Mesh& mesh)
+{
+  std::vector<std::string> names;
+  std::vector<std::int32_t> sides;
+  for (const auto& [name, of] : mesh.boundaries)
+  {
+    for (const mesh::Side& side : of)
+      sides.insert(sides.end(), {static_cast<std::int32_t>(names.size()), side.cell, side.side});
+    names.push_back(name);
+  }
+  text += "<FieldData>\n";
+  add_names(text, "block_names", mesh.block_names);
+  add_names(text, "block_regions", mesh.block_regions);
+  add_names(text, "boundary_names", names);
+  add_array<std::int32_t>(text, "boundary_sides", 3, sides,
+                          fmt::format(" NumberOfTuples=\"{}\"", sides.size() / 3));
+  text += "</FieldData>\n";
 }
 
 std::string file_head(std::string_view type)
@@ -127,29 +181,8 @@ std::string file_head(std::string_view type)
       type);
 }
 
-}  // namespace
-
-void write_vtu(const std::filesystem::path& path, const mesh::Mesh& mesh, std::span<const double> x,
-               std::span<const Field> fields, std::span<const CellField> cell_fields)
+void add_cell_data(std::string& text, const mesh::Mesh& mesh, std::span<const CellField> cell_fields)
 {
-  if (mesh.dim != 2 || !mesh.is_all(element::Shape::quadrilateral))
-    throw Error("only meshes of quadrilaterals in the plane can be written to a .vtu file");
-  check_size("coordinates", x.size(), 2 * mesh.node_count());
-  std::string text = file_head("UnstructuredGrid");
-  fmt::format_to(std::back_inserter(text),
-                 "<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<Points>\n",
-                 mesh.node_count(), mesh.cell_count());
-  add_array<double>(text, "Points", 3, at_equispaced(mesh, x, 2, 3));
-  text += "</Points>\n";
-  add_cells(text, mesh);
-  text += "<PointData>\n";
-  for (const Field& field : fields)
-  {
-    check_size(field.name, field.values.size(), mesh.node_count() * field.components);
-    const int width = written_components(field);
-    add_array<double>(text, field.name, width, at_equispaced(mesh, field.values, field.components, width));
-  }
-  text += "</PointData>\n<CellData>\n";
   for (const CellField& field : cell_fields)
     std::visit(
         [&text, &field, &mesh]<typename T>(std::span<const T> values)
@@ -158,6 +191,34 @@ void write_vtu(const std::filesystem::path& path, const mesh::Mesh& mesh, std::s
           add_array<T>(text, field.name, 1, values);
         },
         field.values);
+}
+
+}  // namespace
+
+void write_vtu(const std::filesystem::path& path, const mesh::Mesh& mesh, std::span<const double> x,
+               std::span<const Field> fields, std::span<const CellField> cell_fields, Names names)
+{
+  check_size("coordinates", x.size(), mesh.dim * mesh.node_count());
+  for (const Field& field : fields)
+    check_size(field.name, field.values.size(), mesh.node_count() * field.components);
+  const FilePoints points(mesh);
+  std::string text = file_head("UnstructuredGrid");
+  text += "<UnstructuredGrid>\n";
+  if (names == Names::kept)
+    add_field_data(text, mesh);
+  fmt::format_to(std::back_inserter(text), "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<Points>\n",
+                 points.count(), mesh.cell_count());
+  add_array<double>(text, "Points", 3, points.values(x, mesh.dim, 3));
+  text += "</Points>\n";
+  add_cells(text, mesh, points);
+  text += "<PointData>\n";
+  for (const Field& field : fields)
+  {
+    const int width = written_components(field);
+    add_array<double>(text, field.name, width, points.values(field.values, field.components, width));
+  }
+  text += "</PointData>\n<CellData>\n";
+  add_cell_data(text, mesh, cell_fields);
   text += "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
   replace_file(path, text);
 }

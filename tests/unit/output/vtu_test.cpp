@@ -110,24 +110,3 @@ TEST_CASE("a file that is no series is refused")
   CHECK_THROWS_WITH_AS(output::Series::resume(path, 1.0), doctest::Contains("is not a series of field files"),
                        Error);
 }
-
-TEST_CASE("cells that the writer does not know are refused, and nothing is written")
-{
-  const TemporaryFolder folder;
-  const SampleMesh sample = structured(2, 1, 1, same);
-  mesh::Mesh triangle;
-  triangle.order = 1;
-  triangle.cells = {0, 1, 2};
-  triangle.runs = {{element::Shape::triangle, 0, 1, 0}};
-  triangle.cell_block = {0};
-  triangle.local_node_count = 3;
-  const std::vector<double> x = {0, 0, 1, 0, 0, 1};
-  mesh::Mesh space = sample.mesh;
-  space.dim = 3;
-  for (const auto& [refused, points] : {std::pair{triangle, x}, std::pair{space, sample.x}})
-  {
-    CHECK_THROWS_WITH_AS(output::write_vtu(folder.path() / "a.vtu", refused, points, {}, {}),
-                         "only meshes of quadrilaterals in the plane can be written to a .vtu file", Error);
-    CHECK(!std::filesystem::exists(folder.path() / "a.vtu"));
-  }
-}
