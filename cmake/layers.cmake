@@ -24,7 +24,7 @@ set(needs_core fmt::fmt)
 set(needs_element Eigen3::Eigen)
 set(needs_mesh Eigen3::Eigen)
 set(needs_block Eigen3::Eigen)
-set(needs_output ZLIB::ZLIB)
+set(needs_output ZLIB::ZLIB EXPAT::EXPAT)
 set(needs_linalg PkgConfig::PETSC MPI::MPI_C)
 set(needs_case PkgConfig::TOMLPLUSPLUS)
 

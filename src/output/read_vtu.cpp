@@ -236,6 +236,7 @@ std::vector<Collapsed> read_cells(const Connectivity& of, std::span<const std::i
     }
     if (type.shape == element::Shape::hexahedron && order > 1 && is_collapsed(points, order))
     {
+      draft.cells_of(element::Shape::pyramid);  // shapes keep the order in which they appear
       collapsed.push_back({points, block[c], static_cast<std::int64_t>(c)});
       continue;
     }
