@@ -14,6 +14,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -34,13 +35,30 @@ double dot(const Vector& a, const Vector& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// Integral of a nodal function over a cell or side with these nodes, by a rule that is far beyond exact for
-/// cells and converged for sides.
+struct TabulatedRule
+{
+  element::CellRule rule;
+  element::CellTable table;
+};
+
+const TabulatedRule& rule_of(element::Shape shape, int order)
+{
+  static std::map<std::pair<element::Shape, int>, TabulatedRule> rules;
+  TabulatedRule& of = rules[{shape, order}];
+  if (of.rule.points.empty())
+  {
+    of.rule = element::quadrature(shape, 4 * order + (element::dimension(shape) == 3 ? 2 : 8));
+    of.table = element::tabulate(shape, order, of.rule.points, 1);
+  }
+  return of;
+}
+
+/// Integral of a nodal function over a cell or side with these nodes, by a rule that is exact for cells and
+/// converged for sides.
 double integrate(element::Shape shape, int order, int dim, std::span<const double> x,
                  std::span<const std::int32_t> nodes, std::span<const double> values)
 {
-  const element::CellRule rule = element::quadrature(shape, 4 * order + 8);
-  const element::CellTable table = element::tabulate(shape, order, rule.points, 1);
+  const auto& [rule, table] = rule_of(shape, order);
   double sum = 0.0;
   for (int q = 0; q < table.point_count; ++q)
   {
