@@ -1,5 +1,5 @@
-// Reads a mesh with its fields and writes it in the format of another name: convert_mesh IN OUT. Exit status 2
-// and a message where the file is refused.
+// Reads a mesh with its fields and writes it in the format of another name: convert_mesh IN OUT. Exit status
+// 2 and a message where the file is refused.
 
 #include "core/error.hpp"
 #include "output/mesh_file.hpp"
