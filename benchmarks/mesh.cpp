@@ -2,6 +2,7 @@
 
 #include "domain.hpp"
 
+#include "block/corner_layout.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/validity.hpp"
 #include "motion/regenerate.hpp"
@@ -93,7 +94,9 @@ void follow(benchmark::State& state)
     for (std::int64_t node = edge.first; edge.a < 4 && edge.b < 4 && node < edge.first + edge.count; ++node)
       hole.push_back(node);
   const std::vector<double> displacement(2 * hole.size(), 0.01);
-  motion::Regenerate motion(domain.skeleton, domain.connected.plan, hole, {});
+  motion::Regenerate motion(
+      domain.skeleton, domain.connected.plan, hole,
+      block::corner_motion(square_with_hole(order, cells), domain.skeleton, "fluid", hole, {}));
   for (auto _ : state)
   {
     motion.follow(displacement, domain.x);

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "block/corner_layout.hpp"
 #include "block/layout.hpp"
-#include "block/move.hpp"
 #include "coupling/parameters.hpp"
 #include "fem/time.hpp"
 #include "fluid/parameters.hpp"
@@ -19,19 +19,11 @@
 namespace blockfsi::case_file
 {
 
-/// What corners of blocks do that nothing moves or holds.
-enum class Corners
-{
-  automatic,  ///< block::automatic_rules
-  fixed
-};
-
 /// How the fluid mesh follows the solid; the corners matter where it is regenerated.
 struct Motion
 {
   motion::Parameters update;
-  std::vector<block::Follow> follows;
-  Corners corners = Corners::automatic;
+  block::CornerParameters corners;
   Location where;
 };
 

@@ -1,7 +1,7 @@
 #include "case/check.hpp"
 
 #include "block/connect.hpp"
-#include "block/move.hpp"
+#include "block/corner_layout.hpp"
 #include "case/outline.hpp"
 #include "case/value.hpp"
 #include "core/nearest.hpp"
@@ -135,13 +135,13 @@ void check_held(const Case& read, const Value& root)
 void check_follows(const Case& read, const block::Skeleton& skeleton, const Motion& motion,
                    const std::string& path)
 {
-  if (!read.fluid || !read.solid || motion.follows.empty())
+  if (!read.fluid || !read.solid || motion.corners.follows.empty())
     return;
   try
   {
-    const block::SkeletonMotion rules(
-        skeleton, block::interface_nodes(read.layout, skeleton, read.fluid->region, read.solid->region),
-        motion.follows);
+    block::corner_graph(read.layout, skeleton, read.fluid->region,
+                        block::interface_nodes(read.layout, skeleton, read.fluid->region, read.solid->region),
+                        motion.corners);
   }
   catch (const Error& error)
   {

@@ -31,7 +31,9 @@ struct Draft
   T parameters;
 };
 
-constexpr std::array<std::string_view, 2> corner_choices = {"automatic", "fixed"};
+/// The names of block::CornerRule in its order.
+constexpr std::array<std::string_view, 5> corner_choices = {"automatic", "fixed", "radial", "elastic",
+                                                            "nonlinear"};
 constexpr std::array<std::string_view, 2> from_choices = {"first", "last"};
 constexpr std::array<std::string_view, 2> slope_choices = {"turned", "zero"};
 constexpr Range poisson_range = {.low = -1.0,
@@ -39,6 +41,23 @@ constexpr Range poisson_range = {.low = -1.0,
                                  .low_allowed = false,
                                  .high_allowed = false,
                                  .words = "a number > -1 and < 0.5"};
+
+/// Boundaries along which corners slide; they must exist.
+std::vector<std::string> read_slide(const Value& value, const Rules& rules)
+{
+  std::vector<std::string> known;
+  for (const block::Boundary& boundary : rules.merged.boundaries)
+    known.push_back(boundary.name);
+  std::vector<std::string> names;
+  for (const Value& entry : list(value))
+  {
+    names.push_back(text(entry));
+    if (std::find(known.begin(), known.end(), names.back()) == known.end())
+      fail(entry, fmt::format("there is no boundary '{}'; the boundaries are {}{}", names.back(),
+                              listed(known), did_you_mean(names.back(), known)));
+  }
+  return names;
+}
 
 /// The point of the merged layout that a point of the pieces became: the nearest one.
 int merged_point(const Rules& rules, int point)
@@ -83,19 +102,23 @@ block::Follow read_rule(const Field& field, Reading& reading, const Rules& rules
 const Keys<Rules>& regenerate_keys()
 {
   static const Keys<Rules> keys = {
-      {{"corners", "\"automatic\" or \"fixed\"", "automatic", "",
-        "what corners inside the domain do that are not on the interface and have no rule in follows: "
-        "automatic "
-        "moves them smoothly with the interface, fixed leaves them where they are"},
+      {{"corners", "\"automatic\", \"radial\", \"elastic\", \"nonlinear\" or \"fixed\"", "automatic", "",
+        "what corners do that are not on the interface, not held by a boundary and without a rule in "
+        "follows: "
+        "elastic and radial move them linearly with the interface, nonlinear to where the blocks are least "
+        "distorted, fixed leaves them where they are; automatic is elastic"},
        [](const Value& v, Reading&, Rules& rules)
-       { rules.motion.corners = static_cast<Corners>(choice(v, corner_choices)); }},
+       { rules.motion.corners.rule = static_cast<block::CornerRule>(choice(v, corner_choices)); }},
       {{"follows", "table \"point\" = \"leader\" or { \"leader\" = weight, ... }", "{}", "",
         "corners that move by the weighted displacements of others; corners on the interface move with it"},
        [](const Value& v, Reading& r, Rules& rules)
        {
          for (const Field& field : table(v))
-           rules.motion.follows.push_back(read_rule(field, r, rules));
-       }}};
+           rules.motion.corners.follows.push_back(read_rule(field, r, rules));
+       }},
+      {{"slide", "list of boundaries", "walls and slip", "",
+        "boundaries along which corners move where they are straight; elsewhere corners on boundaries stay"},
+       [](const Value& v, Reading&, Rules& rules) { rules.motion.corners.slide = read_slide(v, rules); }}};
   return keys;
 }
 

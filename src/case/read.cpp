@@ -55,6 +55,26 @@ void merge_blocks(Draft& draft)
     measure(draft.result.layout, edge);
 }
 
+/// Lets corners slide along walls unless the user says otherwise: what happens there does not depend on where
+/// along them.
+void slide_along_walls(Case& read)
+{
+  std::vector<std::string> names;
+  if (read.fluid)
+    for (const fluid::BoundaryCondition& condition : read.fluid->boundaries)
+      if (std::holds_alternative<fluid::Wall>(condition.condition) ||
+          std::holds_alternative<fluid::Slip>(condition.condition))
+        names.push_back(condition.boundary);
+  const auto fill = [&names](Motion& motion)
+  {
+    if (!motion.corners.slide)
+      motion.corners.slide = names;
+  };
+  fill(read.motion);
+  for (auto& [name, motion] : read.variants)
+    fill(motion);
+}
+
 /// A section: how `describe` shows it and how it is read.
 struct Part
 {
@@ -147,6 +167,7 @@ Case read(const std::filesystem::path& path, const std::vector<std::string>& ove
     if (const Value* value = root.find(part.name))
       part.read(*value, draft);
   }
+  slide_along_walls(draft.result);
   check(draft.result, draft.reading, root);
   return std::move(draft.result);
 }

@@ -2,19 +2,22 @@
 
 #include "block/place.hpp"
 
+#include <utility>
+
 namespace blockfsi::motion
 {
 
 Regenerate::Regenerate(const block::Skeleton& skeleton, const block::Plan& plan,
-                       const std::vector<std::int64_t>& interface, const std::vector<block::Follow>& rules)
-    : motion_(skeleton, interface, rules), plan_(&plan), skeleton_x_(skeleton.x.size())
+                       std::span<const std::int64_t> interface, block::CornerMotion corners)
+    : motion_(skeleton, interface, std::move(corners)), plan_(&plan), skeleton_x_(skeleton.x.size())
 {
 }
 
-void Regenerate::follow(std::span<const double> displacement, std::span<double> x)
+block::CornerReport Regenerate::follow(std::span<const double> displacement, std::span<double> x)
 {
-  motion_.move(displacement, skeleton_x_);
+  const block::CornerReport report = motion_.move(displacement, skeleton_x_);
   block::place(*plan_, skeleton_x_, x);
+  return report;
 }
 
 }  // namespace blockfsi::motion

@@ -2,17 +2,18 @@
 
 #include "core/error.hpp"
 
+#include <utility>
+
 namespace blockfsi::motion
 {
 
-Update make_update(const Parameters& parameters, const Domain& domain,
-                   const std::vector<block::Follow>& follows)
+Update make_update(const Parameters& parameters, const Domain& domain, block::CornerMotion corners)
 {
   return std::visit(
       [&](const auto& kind) -> Update
       {
         if constexpr (std::is_same_v<std::decay_t<decltype(kind)>, Regeneration>)
-          return Regenerate(domain.skeleton, domain.plan, domain.interface, follows);
+          return Regenerate(domain.skeleton, domain.plan, domain.interface, std::move(corners));
         else
           return Extension(kind, domain);
       },
@@ -35,8 +36,7 @@ void accept(Update& update, std::span<const double> displacement, std::span<cons
 
 std::vector<double> memory(const Update& update)
 {
-  const auto* extension = std::get_if<Extension>(&update);
-  return extension != nullptr ? extension->memory() : std::vector<double>{};
+  return std::visit([](const auto& kind) { return kind.memory(); }, update);
 }
 
 void recall(Update& update, std::span<const double> memory_of_past)
@@ -44,8 +44,7 @@ void recall(Update& update, std::span<const double> memory_of_past)
   if (memory(update).size() != memory_of_past.size())
     throw Error("the mesh was moved in another way before; start anew without --restart, or choose the same "
                 "[motion]");
-  if (auto* extension = std::get_if<Extension>(&update))
-    extension->recall(memory_of_past);
+  std::visit([&](auto& kind) { kind.recall(memory_of_past); }, update);
 }
 
 }  // namespace blockfsi::motion

@@ -16,10 +16,9 @@ namespace blockfsi::motion
 /// How the fluid mesh follows the interface: competing ways under one verb.
 using Update = std::variant<Regenerate, Extension>;
 
-/// `follows`: rules of corners, for a mesh that is regenerated. Throws Error if they contradict each other,
-/// or if a boundary that shall slide does not run along an axis.
-Update make_update(const Parameters& parameters, const Domain& domain,
-                   const std::vector<block::Follow>& follows);
+/// `corners`: those of the blocks, for a mesh that is regenerated. Throws Error if a boundary that shall
+/// slide does not run along an axis.
+Update make_update(const Parameters& parameters, const Domain& domain, block::CornerMotion corners);
 
 /// Coordinates of all local nodes for a displacement of the interface; all processes together.
 ///   displacement [m], shape (interface count, 2);  x [m], shape (node_count, 2), written.

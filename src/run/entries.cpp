@@ -18,9 +18,12 @@ namespace
 {
 
 /// Names that need no section in the case, with what they stand for in [motion].
-constexpr std::array<std::pair<std::string_view, std::string_view>, 6> shorthands = {
+constexpr std::array<std::pair<std::string_view, std::string_view>, 9> shorthands = {
     {{"regenerate", "regenerate={}"},
      {"fixed", "regenerate={corners=\"fixed\"}"},
+     {"radial", "regenerate={corners=\"radial\"}"},
+     {"elastic", "regenerate={corners=\"elastic\"}"},
+     {"nonlinear", "regenerate={corners=\"nonlinear\"}"},
      {"pseudo_solid", "pseudo_solid={}"},
      {"incremental", "pseudo_solid={from=\"last\"}"},
      {"harmonic", "harmonic={}"},

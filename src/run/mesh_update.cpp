@@ -1,20 +1,16 @@
 #include "run/mesh_update.hpp"
 
-#include "block/corners.hpp"
+#include "block/corner_layout.hpp"
 
 namespace blockfsi::run
 {
 
 motion::Update make_update(const case_file::Case& description, const motion::Domain& domain)
 {
-  std::vector<block::Follow> follows = description.motion.follows;
-  if (description.motion.corners == case_file::Corners::automatic && !domain.interface.empty())
-  {
-    const std::vector<block::Follow> more = block::automatic_rules(
-        description.layout, domain.skeleton, domain.interface, description.motion.follows);
-    follows.insert(follows.end(), more.begin(), more.end());
-  }
-  return motion::make_update(description.motion.update, domain, follows);
+  return motion::make_update(description.motion.update, domain,
+                             block::corner_motion(description.layout, domain.skeleton,
+                                                  description.fluid->region, domain.interface,
+                                                  description.motion.corners));
 }
 
 }  // namespace blockfsi::run

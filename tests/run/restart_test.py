@@ -15,6 +15,7 @@ VARIANTS = {
     "constant relaxation": (["coupling.accelerator={constant={relaxation=0.6}}"], [0, 7]),
     "a strong flow": (["let.U=2"], [7]),
     "order 3": (["blocks.order=3"], [7]),
+    "nonlinear corners": (['motion.regenerate={corners="nonlinear"}'], [0, 7]),
     "backward Euler": (['time.scheme="backward-euler"'], [7]),
     "a pseudo-solid": (["motion={pseudo_solid={}}"], [7]),
     "an incremental pseudo-solid": (['motion={pseudo_solid={from="last"}}'], [1, 7]),

@@ -2,6 +2,7 @@
 
 #include "support.hpp"
 
+#include "block/corner_layout.hpp"
 #include "fem/boundary.hpp"
 #include "fem/cell_loop.hpp"
 #include "fluid/solver.hpp"
@@ -186,8 +187,9 @@ TEST_CASE("the mesh follows the interface as on one process, in every way")
   {
     const block::Connected connected = block::connect(layout, skeleton, "fluid", part);
     const std::vector<double> x0 = block::initial_nodes(connected, skeleton);
-    motion::Update update = motion::make_update(
-        parameters, {skeleton, connected.plan, connected.mesh, *numbering, x0, interface}, {});
+    motion::Update update =
+        motion::make_update(parameters, {skeleton, connected.plan, connected.mesh, *numbering, x0, interface},
+                            block::corner_motion(layout, skeleton, "fluid", interface, {}));
     std::vector<double> x(x0.size());
     for (const double factor : {0.5, 1.0})
     {

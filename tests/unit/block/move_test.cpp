@@ -1,5 +1,6 @@
 #include "block/move.hpp"
 
+#include "block/corner_layout.hpp"
 #include "layouts.hpp"
 
 #include <doctest/doctest.h>
@@ -32,7 +33,10 @@ Layout row_of_squares(int order)
 std::vector<double> moved(const Layout& layout, const Skeleton& skeleton, std::vector<Follow> rules)
 {
   const std::vector<std::int64_t> interface = interface_nodes(layout, skeleton, "solid", "fluid");
-  const SkeletonMotion motion(skeleton, interface, std::move(rules));
+  CornerParameters parameters;
+  parameters.rule = CornerRule::fixed;
+  parameters.follows = std::move(rules);
+  SkeletonMotion motion(skeleton, interface, corner_motion(layout, skeleton, "fluid", interface, parameters));
   std::vector<double> displacement(2 * interface.size(), 0.0);
   for (std::size_t k = 0; k < interface.size(); ++k)
     displacement[2 * k] = 0.1 + 0.2 * skeleton.x[2 * interface[k] + 1];
@@ -79,10 +83,17 @@ TEST_CASE("without displacement the skeleton is the initial one bit for bit")
   const Layout layout = flap_layout(3);
   const Skeleton skeleton = make_skeleton(layout);
   const std::vector<std::int64_t> interface = interface_nodes(layout, skeleton, "fluid", "flap");
-  const SkeletonMotion motion(skeleton, interface, {});
-  std::vector<double> x(skeleton.x.size());
-  motion.move(std::vector<double>(2 * interface.size(), 0.0), x);
-  CHECK(x == skeleton.x);
+  for (const CornerRule rule :
+       {CornerRule::fixed, CornerRule::radial, CornerRule::elastic, CornerRule::nonlinear})
+  {
+    CornerParameters parameters;
+    parameters.rule = rule;
+    SkeletonMotion motion(skeleton, interface,
+                          corner_motion(layout, skeleton, "fluid", interface, parameters));
+    std::vector<double> x(skeleton.x.size());
+    motion.move(std::vector<double>(2 * interface.size(), 0.0), x);
+    CHECK(x == skeleton.x);
+  }
 }
 
 TEST_CASE("rules in a circle, rules for interface points and double rules are refused")

@@ -2,6 +2,7 @@
 
 #include "../allocations.hpp"
 #include "block/blend.hpp"
+#include "block/corner_layout.hpp"
 #include "block/move.hpp"
 #include "block/numbering.hpp"
 #include "layouts.hpp"
@@ -227,7 +228,7 @@ TEST_CASE("pushing a wall by 5 % leaves thin first cells positive, because the w
     for (std::int64_t node = skeleton.edges[0].first;
          node < skeleton.edges[0].first + skeleton.edges[0].count; ++node)
       wall.push_back(node);
-    const SkeletonMotion motion(skeleton, wall, {});
+    SkeletonMotion motion(skeleton, wall, corner_motion(layout, skeleton, "fluid", wall, {}));
     std::vector<double> displacement(2 * wall.size(), 0.0);
     for (std::size_t i = 1; i < displacement.size(); i += 2)
       displacement[i] = 0.05;

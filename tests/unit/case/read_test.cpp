@@ -82,11 +82,27 @@ TEST_CASE("the Wall-Ramm benchmark is read as it is written")
 TEST_CASE("rules name points with or without their lattice and with weights")
 {
   const case_file::Case read = case_file::read(wall_ramm);
-  REQUIRE(read.motion.follows.size() == 2);
-  CHECK(point(read, read.motion.follows[0].point).name == "channel x3 y1");
-  CHECK(point(read, read.motion.follows[0].leaders.at(0).point).name == "channel x3 y2");
-  CHECK(point(read, read.motion.follows[1].point).name == "channel x3 y4");
-  CHECK(read.motion.follows[1].leaders.at(0).weight == 1.0);
+  REQUIRE(read.motion.corners.follows.size() == 2);
+  CHECK(point(read, read.motion.corners.follows[0].point).name == "channel x3 y1");
+  CHECK(point(read, read.motion.corners.follows[0].leaders.at(0).point).name == "channel x3 y2");
+  CHECK(point(read, read.motion.corners.follows[1].point).name == "channel x3 y4");
+  CHECK(read.motion.corners.follows[1].leaders.at(0).weight == 1.0);
+}
+
+TEST_CASE("corners slide along walls and slip unless the case says otherwise")
+{
+  const auto corners = [](const std::vector<std::string>& overrides)
+  { return case_file::read(wall_ramm, overrides).motion.corners; };
+  CHECK(corners({}).rule == block::CornerRule::automatic);
+  CHECK(corners({}).slide.value() == std::vector<std::string>{"sides", "square"});
+  const block::CornerParameters chosen =
+      corners({R"(motion.regenerate={ corners = "nonlinear", slide = ["inlet"] })"});
+  CHECK(chosen.rule == block::CornerRule::nonlinear);
+  CHECK(chosen.slide.value() == std::vector<std::string>{"inlet"});
+  CHECK(corners({R"(motion.regenerate={ corners = "radial", slide = [] })"}).slide->empty());
+  CHECK(corners({R"(motion.regenerate={ corners = "radial" })"}).rule == block::CornerRule::radial);
+  CHECK(corners({R"(motion.regenerate={ corners = "elastic" })"}).rule == block::CornerRule::elastic);
+  CHECK(corners({R"(motion.regenerate={ corners = "fixed" })"}).rule == block::CornerRule::fixed);
 }
 
 TEST_CASE("a name that a merge takes away still finds its point")
@@ -95,8 +111,8 @@ TEST_CASE("a name that a merge takes away still finds its point")
       everything, {"blocks.points.twin=[2, 0.5]",
                    R"(blocks.quads.tail={ corners = ["twin", "p", "q", "box x3 y0"], region = "fluid" })",
                    R"(motion.regenerate={ follows = { "twin" = "box x2 y1" } })"});
-  REQUIRE(read.motion.follows.size() == 1);
-  CHECK(point(read, read.motion.follows[0].point).name == "box x3 y1");
+  REQUIRE(read.motion.corners.follows.size() == 1);
+  CHECK(point(read, read.motion.corners.follows[0].point).name == "box x3 y1");
 }
 
 TEST_CASE("pieces that coincide are merged")
