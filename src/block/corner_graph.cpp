@@ -1,5 +1,7 @@
 #include "block/corner_graph.hpp"
 
+#include "geometry/point.hpp"
+
 #include <algorithm>
 
 namespace blockfsi::block
@@ -11,6 +13,22 @@ std::vector<int> unknown_numbers(const CornerGraph& graph)
   for (const Corner& corner : graph.corners)
     numbers.push_back(numbers.back() + corner.freedom);
   return numbers;
+}
+
+std::vector<std::array<double, 3>> complement(std::span<const std::array<double, 3>> base, int dim)
+{
+  std::vector<geometry::Point> all(base.begin(), base.end());
+  for (int axis = 0; axis < dim && static_cast<int>(all.size()) < dim; ++axis)
+  {
+    geometry::Point candidate{};
+    candidate[axis] = 1.0;
+    for (const geometry::Point& other : all)
+      candidate = geometry::add_scaled(candidate, -geometry::dot(other, candidate), other);
+    // The largest remainder of the axes is at least 1 / sqrt(dim); smaller ones come in for a later axis.
+    if (const double size = geometry::norm(candidate); size > 0.5)
+      all.push_back(geometry::scaled(1.0 / size, candidate));
+  }
+  return {all.begin() + static_cast<std::ptrdiff_t>(base.size()), all.end()};
 }
 
 void displace_corners(const CornerGraph& graph, const double* d, const double* y, double* U)

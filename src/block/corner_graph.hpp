@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace blockfsi::block
@@ -61,6 +62,9 @@ struct CornerGraph
 /// Place of each corner's first free direction among all unknowns, and at the end their number; shape
 /// (corner_count + 1).
 std::vector<int> unknown_numbers(const CornerGraph& graph);
+
+/// Orthonormal directions that are perpendicular to some orthonormal ones, within dim components.
+std::vector<std::array<double, 3>> complement(std::span<const std::array<double, 3>> base, int dim);
 
 /// Displacement of all corners from that of the interface and from the unknowns.
 ///   d [m], shape (interface_count, dim);  y [m], shape (unknowns);  U [m], shape (corner_count, dim),

@@ -7,6 +7,7 @@
 #include <Eigen/QR>
 
 #include <cmath>
+#include <span>
 
 namespace blockfsi::block
 {
@@ -26,25 +27,6 @@ Eigen::Vector3d vector(const std::array<double, 3>& x)
   return {x[0], x[1], x[2]};
 }
 
-/// An orthonormal base of what a corner's free directions leave, within dim components.
-std::vector<Eigen::Vector3d> held_directions(const Corner& corner, int dim)
-{
-  std::vector<Eigen::Vector3d> base;
-  for (int k = 0; k < corner.freedom; ++k)
-    base.push_back(vector(corner.direction[k]));
-  const std::size_t free = base.size();
-  for (int axis = 0; axis < dim && static_cast<int>(base.size()) < dim; ++axis)
-  {
-    Eigen::Vector3d candidate = Eigen::Vector3d::Unit(axis);
-    for (const Eigen::Vector3d& other : base)
-      candidate -= other.dot(candidate) * other;
-    // The largest remainder of the axes is at least 1 / sqrt(dim); smaller ones come in for a later axis.
-    if (candidate.norm() > 0.5)
-      base.push_back(candidate.normalized());
-  }
-  return {base.begin() + static_cast<std::ptrdiff_t>(free), base.end()};
-}
-
 /// Radial functions and polynomials at a distance and position: what multiplies the unknown coefficients.
 class RadialSystem
 {
@@ -60,8 +42,9 @@ public:
         continue;
       low = low.cwiseMin(vector(corner.x));
       high = high.cwiseMax(vector(corner.x));
-      for (const Eigen::Vector3d& direction : held_directions(corner, dim_))
-        conditions_.push_back({static_cast<int>(c), direction});
+      const std::span<const std::array<double, 3>> free(corner.direction.data(), corner.freedom);
+      for (const auto& direction : complement(free, dim_))
+        conditions_.push_back({static_cast<int>(c), vector(direction)});
     }
     middle_ = 0.5 * (low + high);
     scale_ = 0.5 * (high - low).norm();

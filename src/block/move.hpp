@@ -2,6 +2,7 @@
 
 #include "block/connect.hpp"
 #include "block/corner_motion.hpp"
+#include "block/plan.hpp"
 
 #include <cstdint>
 #include <span>
@@ -10,7 +11,8 @@
 namespace blockfsi::block
 {
 
-/// How the skeleton follows the interface: points by the rule of the corners, edges by their ends.
+/// How the skeleton follows the interface: points by the rule of the corners, edges by their ends, faces in
+/// space by their edges.
 class SkeletonMotion
 {
 public:
@@ -19,8 +21,9 @@ public:
   SkeletonMotion(const Skeleton& skeleton, std::span<const std::int64_t> interface, CornerMotion corners);
 
   /// Skeleton coordinates for a displacement of the interface. Edges between moved points that are not on the
-  /// interface follow linearly in their graded parameter: x = X + (1 - w) U_a + w U_b. With a constant rule
-  /// linear in the displacement, and allocates nothing.
+  /// interface follow linearly in their graded parameter: x = X + (1 - w) U_a + w U_b; such faces by the
+  /// transfinite map of the displacements of their edges. With a constant rule linear in the displacement,
+  /// and allocates nothing.
   ///   displacement [m], shape (interface count, dim);  skeleton_x [m], shape (skeleton.count, dim), written.
   CornerReport move(std::span<const double> displacement, std::span<double> skeleton_x);
 
@@ -28,19 +31,22 @@ public:
   const CornerMotion& corners() const { return corners_; }
 
 private:
-  /// An inner node of an edge.
+  /// An inner node of an edge that is not on the interface.
   struct Inner
   {
     std::int32_t a;
     std::int32_t b;
+    std::int32_t node;
     double parameter;
-    std::int32_t interface_index;  ///< -1: not on the interface
   };
   int dim_;
   std::vector<double> x_;
   CornerMotion corners_;
-  std::vector<double> U_;     ///< shape (point count, dim)
-  std::vector<Inner> inner_;  ///< shape (skeleton count - point count)
+  std::vector<std::int64_t> interface_;
+  std::size_t point_values_;
+  std::vector<Inner> inner_;
+  std::vector<BlockPlan> faces_;  ///< those that are not on the interface
+  std::vector<double> work_;
 };
 
 }  // namespace blockfsi::block

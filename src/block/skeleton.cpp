@@ -2,6 +2,7 @@
 #include "block/boundaries.hpp"
 #include "block/connect.hpp"
 #include "block/distribution.hpp"
+#include "block/face_plan.hpp"
 #include "block/face_shape.hpp"
 #include "block/message.hpp"
 #include "block/numbering.hpp"
@@ -77,40 +78,10 @@ void place_edge(const Layout& layout, const Topology& topology, int e, const std
   }
 }
 
-/// Graded parameters of the nodes of a face's edges, in their directions in the face.
-EdgeParameters edge_parameters(const Skeleton& skeleton, const PlacedFace& face)
-{
-  EdgeParameters parameters;
-  const auto edges = element::edges(face.shape);
-  for (std::size_t e = 0; e < edges.size(); ++e)
-    parameters.push_back(
-        directed_parameters(skeleton, skeleton.edges[face.edges[e]], face.points[edges[e][0]]));
-  return parameters;
-}
-
 /// Inner nodes of a face between its edges.
 void place_face(const PlacedFace& face, Skeleton& skeleton)
 {
-  BlockPlan plan;
-  plan.grid = face_grid(face, skeleton.order);
-  std::copy(face.points.begin(), face.points.end(), plan.corners.begin());
-  const auto sides = element::sides(face.shape);
-  for (std::size_t side = 0; side < sides.size(); ++side)
-  {
-    const PlacedEdge& edge = skeleton.edges[face.edges[side]];
-    plan.sides.push_back(edge_numbers(edge));
-    if (edge.a != face.points[sides[side].corners[0]])
-      std::reverse(plan.sides.back().begin(), plan.sides.back().end());
-  }
-  const Grid inner = interior(plan.grid);
-  auto node = static_cast<std::int32_t>(face.first);
-  for (int j = 0; face.count > 0 && j < row_count(inner, 0); ++j)
-  {
-    const int length = row_length(inner, j, 0);
-    plan.rows.push_back({j + 1, 0, 1, length + 1, node});
-    node += length;
-  }
-  set_reference(edge_parameters(skeleton, face), skeleton.order, 0, plan);
+  const BlockPlan plan = face_plan(skeleton, face);
   std::vector<double> work(work_size(plan, skeleton.dim));
   blend(plan, skeleton.dim, skeleton.x.data(), work.data(), skeleton.x.data());
 }

@@ -32,8 +32,10 @@ struct Prescribed
 {
   std::array<double, 3> root{};  ///< ends of its straight centre line [m]
   std::array<double, 3> tip{};
-  double angle = 120.0;  ///< at which sweeps end [degrees]
-  double step = 2.5;     ///< [degrees]
+  std::array<double, 3> axis = {0.0, 0.0, 1.0};  ///< about which it turns, perpendicular to that line
+  double bent = 0.2;                             ///< share of the length in which rotation bends it
+  double angle = 120.0;                          ///< at which sweeps end [degrees]
+  double step = 2.5;                             ///< [degrees]
   std::vector<double> show = {30.0, 60.0, 90.0, 120.0};
   double amplitude = 60.0;  ///< of cycles [degrees]
   int cycles = 3;

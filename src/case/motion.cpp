@@ -106,7 +106,7 @@ const Keys<Rules>& regenerate_keys()
         "what corners do that are not on the interface, not held by a boundary and without a rule in "
         "follows: "
         "elastic and radial move them linearly with the interface, nonlinear to where the blocks are least "
-        "distorted, fixed leaves them where they are; automatic is elastic"},
+        "distorted, fixed leaves them where they are; automatic is elastic, in space radial"},
        [](const Value& v, Reading&, Rules& rules)
        { rules.motion.corners.rule = static_cast<block::CornerRule>(choice(v, corner_choices)); }},
       {{"follows", "table \"point\" = \"leader\" or { \"leader\" = weight, ... }", "{}", "",

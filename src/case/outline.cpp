@@ -1,5 +1,7 @@
 #include "case/outline.hpp"
 
+#include "block/topology.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -65,19 +67,30 @@ bool Outline::touches(const block::PlacedEdge& edge, std::string_view region) co
                      [&](int b) { return layout_.blocks[b].region == region; });
 }
 
+bool Outline::has_block_of(int side, std::string_view region) const
+{
+  const std::vector<int>& blocks = block::side_blocks(skeleton_, side);
+  return std::any_of(blocks.begin(), blocks.end(), [&](int b) { return layout_.blocks[b].region == region; });
+}
+
 bool Outline::touches(std::size_t boundary, std::string_view region) const
 {
-  return std::any_of(skeleton_.edges.begin(), skeleton_.edges.end(),
-                     [&](const block::PlacedEdge& edge) {
-                       return edge.boundary == static_cast<int>(boundary) && !between_regions(edge) &&
-                              touches(edge, region);
-                     });
+  for (int side = 0; side < block::side_count(skeleton_); ++side)
+    if (block::side_boundary(skeleton_, side) == static_cast<int>(boundary) && has_block_of(side, region))
+    {
+      const std::vector<int>& blocks = block::side_blocks(skeleton_, side);
+      if (blocks.size() == 1 || layout_.blocks[blocks[0]].region == layout_.blocks[blocks[1]].region)
+        return true;
+    }
+  return false;
 }
 
 bool Outline::neighbours(std::string_view a, std::string_view b) const
 {
-  return std::any_of(skeleton_.edges.begin(), skeleton_.edges.end(),
-                     [&](const block::PlacedEdge& edge) { return touches(edge, a) && touches(edge, b); });
+  for (int side = 0; side < block::side_count(skeleton_); ++side)
+    if (has_block_of(side, a) && has_block_of(side, b))
+      return true;
+  return false;
 }
 
 Point Outline::node(std::int64_t number) const

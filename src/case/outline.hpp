@@ -25,9 +25,9 @@ public:
   bool between_regions(const block::PlacedEdge& edge) const;
   /// Whether a block of the region lies at the edge.
   bool touches(const block::PlacedEdge& edge, std::string_view region) const;
-  /// Whether a boundary has an outer edge at a block of the region.
+  /// Whether a boundary has an outer side at a block of the region.
   bool touches(std::size_t boundary, std::string_view region) const;
-  /// Whether two regions share an edge.
+  /// Whether two regions share a side.
   bool neighbours(std::string_view a, std::string_view b) const;
   /// Points [m] where a condition on a boundary is evaluated: all its initial nodes.
   std::vector<std::array<double, 2>> boundary_nodes(std::string_view boundary) const;
@@ -40,6 +40,7 @@ public:
   const block::PlacedEdge* oblique_edge(std::string_view boundary) const;
 
 private:
+  bool has_block_of(int side, std::string_view region) const;
   std::array<double, 2> node(std::int64_t number) const;
   std::vector<std::array<double, 2>> edge_nodes(const block::PlacedEdge& edge) const;
   std::vector<std::array<double, 2>> around(std::size_t block) const;

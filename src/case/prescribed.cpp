@@ -1,4 +1,6 @@
+#include "case/level_set.hpp"
 #include "case/sections.hpp"
+#include "geometry/point.hpp"
 
 #include <fmt/format.h>
 
@@ -13,13 +15,21 @@ namespace
 
 const Prescribed defaults;
 
+constexpr Range share = {.low = 0.0, .high = 1.0, .low_allowed = false, .words = "a number > 0 and <= 1"};
+
 const Keys<Prescribed>& prescribed_keys()
 {
   static const Keys<Prescribed> keys = {
-      {{"root", "[number, number]", "required", "m", "clamped end of the flap's straight centre line"},
-       [](const Value& v, Reading& r, Prescribed& p) { p.root = point(v, r.constants); }},
-      {{"tip", "[number, number]", "required", "m", "its other end"},
-       [](const Value& v, Reading& r, Prescribed& p) { p.tip = point(v, r.constants); }},
+      {{"root", "list of numbers", "required", "m", "clamped end of the flap's straight centre line"},
+       [](const Value& v, Reading& r, Prescribed& p) { p.root = point_in_space(v, r.constants); }},
+      {{"tip", "list of numbers", "required", "m", "its other end"},
+       [](const Value& v, Reading& r, Prescribed& p) { p.tip = point_in_space(v, r.constants); }},
+      {{"axis", "[number, number, number]", "[0, 0, 1]", "",
+        "direction about which the flap turns, perpendicular to its centre line; in space"},
+       [](const Value& v, Reading& r, Prescribed& p) { p.axis = point_in_space(v, r.constants); }},
+      {{"bent", "number", fmt::format("{}", defaults.bent), "",
+        "share of the length, from the root on, in which rotation bends the flap"},
+       [](const Value& v, Reading& r, Prescribed& p) { p.bent = number(v, r.constants, share); }},
       {{"angle", "number", fmt::format("{}", defaults.angle), "degrees", "of the tip at which sweeps end"},
        [](const Value& v, Reading& r, Prescribed& p) { p.angle = number(v, r.constants, positive); }},
       {{"step", "number", fmt::format("{}", defaults.step), "degrees", "between two positions"},
@@ -43,8 +53,13 @@ const Keys<Prescribed>& prescribed_keys()
 void read_prescribed(const Value& value, Reading& reading, Prescribed& prescribed)
 {
   read_keys(value, prescribed_keys(), reading, prescribed);
-  if (std::hypot(prescribed.tip[0] - prescribed.root[0], prescribed.tip[1] - prescribed.root[1]) == 0.0)
+  const geometry::Point along = geometry::subtract(prescribed.tip, prescribed.root);
+  if (geometry::norm(along) == 0.0)
     fail(value, "root and tip are the same point");
+  constexpr double tolerance = 1e-9;
+  const double size = geometry::norm(prescribed.axis) * geometry::norm(along);
+  if (size == 0.0 || std::abs(geometry::dot(along, prescribed.axis)) > tolerance * size)
+    fail(value, "axis must be a direction perpendicular to the line from root to tip");
 }
 
 std::vector<Section> prescribed_sections()

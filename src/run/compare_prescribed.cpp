@@ -4,6 +4,7 @@
 #include "output/file.hpp"
 #include "output/svg.hpp"
 #include "output/table.hpp"
+#include "output/vtu.hpp"
 #include "run/entries.hpp"
 #include "run/measures.hpp"
 #include "run/prescribed.hpp"
@@ -29,7 +30,7 @@ struct Finding
 {
   std::string name;
   std::unique_ptr<PrescribedMesh> mesh;
-  std::array<Sweep, flap_shapes.size()> sweeps;
+  std::vector<Sweep> sweeps;  ///< one for each of flap_shapes
   Cycles cycles;
 };
 
@@ -55,10 +56,9 @@ void write_sweep(const std::filesystem::path& path, const Sweep& sweep)
 Finding find_out(const Entry& entry, const std::filesystem::path& folder)
 {
   Finding finding{entry.name, std::make_unique<PrescribedMesh>(entry.description), {}, {}};
-  for (std::size_t k = 0; k < flap_shapes.size(); ++k)
+  for (const FlapShape shape : flap_shapes(entry.description.layout.dim))
   {
-    finding.sweeps[k] = finding.mesh->sweep(flap_shapes[k]);
-    const Sweep& sweep = finding.sweeps[k];
+    const Sweep& sweep = finding.sweeps.emplace_back(finding.mesh->sweep(shape));
     write_sweep(folder / fmt::format("{}-{}.csv", entry.name, name(sweep.shape)), sweep);
     fmt::print("{}, {}: valid to {:g} degrees{}\n", entry.name, name(sweep.shape), sweep.last_valid,
                sweep.failure.empty() ? "" : " (" + sweep.failure + ")");
@@ -72,11 +72,11 @@ TextTable table_of(const std::vector<Finding>& findings, const case_file::Prescr
 {
   TextTable table;
   table.header = {"motion"};
-  for (const FlapShape shape : flap_shapes)
+  for (const Sweep& sweep : findings.front().sweeps)
   {
-    table.header.push_back(fmt::format("{} valid to", name(shape)));
+    table.header.push_back(fmt::format("{} valid to", name(sweep.shape)));
     for (const double angle : wanted.show)
-      table.header.push_back(fmt::format("{} SJ at {:g}", name(shape), angle));
+      table.header.push_back(fmt::format("{} SJ at {:g}", name(sweep.shape), angle));
   }
   table.header.emplace_back("ms per update");
   for (int cycle = 1; cycle <= wanted.cycles; ++cycle)
@@ -122,7 +122,7 @@ void draw_measures(const std::vector<Finding>& findings, std::size_t shape,
       }
       curves.push_back(std::move(curve));
     }
-    const std::string_view kind = name(flap_shapes[shape]);
+    const std::string_view kind = name(findings.front().sweeps[shape].shape);
     output::replace_file(folder / fmt::format("{}-{}.svg", measure.column, kind),
                          output::draw(figure_of(measure, fmt::format("Prescribed {} of the flap", kind),
                                                 "angle of the tip [degrees]", std::move(curves))));
@@ -160,10 +160,26 @@ void draw_meshes(const std::vector<Finding>& findings, std::size_t shape, double
                           {{&finding.mesh->mesh(), snapshot.x, false, {}}}});
   if (panels.empty())
     return;
-  const std::string_view kind = name(flap_shapes[shape]);
+  const std::string_view kind = name(findings.front().sweeps[shape].shape);
   output::replace_file(folder / fmt::format("meshes-{}-{:g}.svg", kind, angle),
                        output::draw(panels, window_of(findings, shape), 3,
                                     fmt::format("Meshes at {:g} degrees of {}", angle, kind)));
+}
+
+/// Meshes in space, for ParaView.
+void write_meshes(const std::vector<Finding>& findings, std::size_t shape, double angle,
+                  const std::filesystem::path& folder)
+{
+  for (const Finding& finding : findings)
+    for (const Snapshot& snapshot : finding.sweeps[shape].snapshots)
+      if (snapshot.angle == angle)
+      {
+        const mesh::Mesh& mesh = finding.mesh->mesh();
+        const std::vector<output::CellField> cells = {{"block", std::span(mesh.cell_block)}};
+        output::write_vtu(
+            folder / fmt::format("{}-{}-{:g}.vtu", finding.name, name(finding.sweeps[shape].shape), angle),
+            mesh, snapshot.x, {}, cells);
+      }
 }
 
 }  // namespace
@@ -193,11 +209,12 @@ Exit compare_prescribed(const std::filesystem::path& path, const std::vector<std
   fmt::print("{}", aligned(table));
   output::replace_file(folder / "comparison.csv", csv(table));
   output::replace_file(folder / "comparison.txt", aligned(table));
-  for (std::size_t shape = 0; shape < flap_shapes.size(); ++shape)
+  for (std::size_t shape = 0; shape < findings.front().sweeps.size(); ++shape)
   {
     draw_measures(findings, shape, folder);
     for (const double angle : first.prescribed->show)
-      draw_meshes(findings, shape, angle, folder);
+      first.layout.dim == 2 ? draw_meshes(findings, shape, angle, folder)
+                            : write_meshes(findings, shape, angle, folder);
   }
   fmt::print("\ntable, curves and pictures are in {}\n", folder.string());
   return Exit::done;

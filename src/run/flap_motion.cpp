@@ -1,6 +1,7 @@
 #include "run/flap_motion.hpp"
 
 #include "element/line.hpp"
+#include "geometry/point.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,23 +9,27 @@
 namespace blockfsi::run
 {
 
-namespace
-{
-
-/// Share of the length in which a rotating flap is bent.
-constexpr double bent_share = 0.2;
-
-}  // namespace
-
 std::string_view name(FlapShape shape)
 {
-  return shape == FlapShape::rotation ? "rotation" : "bending";
+  constexpr std::array<std::string_view, 4> names = {"rotation", "bending", "twist", "sideways"};
+  return names[static_cast<std::size_t>(shape)];
 }
 
-FlapMotion::FlapMotion(const std::array<double, 3>& root, const std::array<double, 3>& tip, FlapShape shape)
-    : root_{root[0], root[1]}, length_(std::hypot(tip[0] - root[0], tip[1] - root[1])), shape_(shape)
+std::vector<FlapShape> flap_shapes(int dim)
 {
-  along_ = {(tip[0] - root[0]) / length_, (tip[1] - root[1]) / length_};
+  if (dim == 2)
+    return {FlapShape::rotation, FlapShape::bending};
+  return {FlapShape::rotation, FlapShape::bending, FlapShape::twist, FlapShape::sideways};
+}
+
+FlapMotion::FlapMotion(const case_file::Prescribed& flap, FlapShape shape)
+    : root_(flap.root), length_(geometry::distance(flap.root, flap.tip)), bent_(flap.bent), shape_(shape)
+{
+  along_ = geometry::scaled(1.0 / length_, geometry::subtract(flap.tip, flap.root));
+  axis_ = geometry::scaled(1.0 / geometry::norm(flap.axis), flap.axis);
+  across_ = geometry::cross(axis_, along_);
+  if (shape == FlapShape::sideways)
+    std::swap(axis_, across_);
   const element::Rule rule = element::gauss(16);
   points_ = rule.points;
   weights_ = rule.weights;
@@ -33,21 +38,19 @@ FlapMotion::FlapMotion(const std::array<double, 3>& root, const std::array<doubl
 double FlapMotion::profile(double s) const
 {
   s = std::max(s, 0.0);
-  if (shape_ == FlapShape::bending)
+  if (shape_ != FlapShape::rotation)
     return s;
-  const double q = std::min(s / bent_share, 1.0);
+  const double q = std::min(s / bent_, 1.0);
   return q * q * (3.0 - 2.0 * q);
 }
 
-std::array<double, 2> FlapMotion::position(const std::array<double, 2>& X, double angle) const
+std::array<double, 2> FlapMotion::centre(double s, double angle) const
 {
-  const std::array<double, 2> from = {X[0] - root_[0], X[1] - root_[1]};
-  const double s = (from[0] * along_[0] + from[1] * along_[1]) / length_;
-  const double height = from[1] * along_[0] - from[0] * along_[1];
-  // The centre line in axes along the undeformed flap and across it; the profile is smooth on either side of
-  // the bent share.
+  if (shape_ == FlapShape::twist)
+    return {s * length_, 0.0};
+  // The profile is smooth on either side of the bent share.
   std::array<double, 2> centre{};
-  const double middle = std::min(s, bent_share);
+  const double middle = std::min(s, bent_);
   for (const auto& [a, b] : {std::array{0.0, middle}, std::array{middle, s}})
     for (std::size_t q = 0; q < points_.size(); ++q)
     {
@@ -56,20 +59,38 @@ std::array<double, 2> FlapMotion::position(const std::array<double, 2>& X, doubl
       centre[0] += weight * std::cos(theta);
       centre[1] += weight * std::sin(theta);
     }
-  const double theta = angle * profile(s);
-  const double x = centre[0] - std::sin(theta) * height;
-  const double y = centre[1] + std::cos(theta) * height;
-  return {root_[0] + along_[0] * x - along_[1] * y, root_[1] + along_[1] * x + along_[0] * y};
+  return centre;
 }
 
-std::vector<double> FlapMotion::displacement(std::span<const double> X, double angle) const
+std::array<double, 3> FlapMotion::position(const Vector& X, double angle) const
+{
+  using geometry::dot;
+  const Vector from = geometry::subtract(X, root_);
+  const double s = dot(from, along_) / length_;
+  const double theta = angle * profile(s);
+  const auto [ahead, aside] = centre(s, angle);
+  const double height = dot(from, across_);
+  const double width = dot(from, axis_);
+  // The cross section in the axes across and about.
+  const bool twists = shape_ == FlapShape::twist;
+  const double x = ahead - (twists ? 0.0 : std::sin(theta) * height);
+  const double y = aside + std::cos(theta) * height - (twists ? std::sin(theta) * width : 0.0);
+  const double z = twists ? std::sin(theta) * height + std::cos(theta) * width : width;
+  Vector result = geometry::add_scaled(root_, x, along_);
+  result = geometry::add_scaled(result, y, across_);
+  return geometry::add_scaled(result, z, axis_);
+}
+
+std::vector<double> FlapMotion::displacement(std::span<const double> X, int dim, double angle) const
 {
   std::vector<double> result(X.size());
-  for (std::size_t i = 0; i < X.size(); i += 2)
+  for (std::size_t i = 0; i < X.size(); i += dim)
   {
-    const std::array<double, 2> x = position({X[i], X[i + 1]}, angle);
-    result[i] = x[0] - X[i];
-    result[i + 1] = x[1] - X[i + 1];
+    Vector from{};
+    std::copy_n(X.begin() + static_cast<std::ptrdiff_t>(i), dim, from.begin());
+    const Vector x = position(from, angle);
+    for (int c = 0; c < dim; ++c)
+      result[i + c] = x[c] - from[c];
   }
   return result;
 }

@@ -29,6 +29,20 @@ double radians(double degrees)
   return degrees * std::numbers::pi / 180.0;
 }
 
+/// Largest distance between nodes of the same number in two meshes [m].
+double largest_distance(std::span<const double> x, std::span<const double> y, int dim)
+{
+  double largest = 0.0;
+  for (std::size_t i = 0; i < x.size(); i += dim)
+  {
+    double square = 0.0;
+    for (std::size_t c = i; c < i + dim; ++c)
+      square += (x[c] - y[c]) * (x[c] - y[c]);
+    largest = std::max(largest, square);
+  }
+  return std::sqrt(largest);
+}
+
 }  // namespace
 
 struct PrescribedMesh::Data
@@ -50,12 +64,12 @@ struct PrescribedMesh::Data
         interface(block::interface_nodes(of.layout, skeleton, of.fluid->region, of.solid->region)),
         connected(block::connect(of.layout, skeleton, of.fluid->region, linalg::part())),
         numbering(connected.mesh.lattice, connected.mesh.owner),
-        first(block::initial_nodes(connected, skeleton)), quality_tables(of.layout.order),
-        validity_tables(of.layout.order),
+        first(block::initial_nodes(connected, skeleton)), quality_tables(connected.mesh),
+        validity_tables(connected.mesh),
         first_jacobian(mesh::sample_jacobian(quality_tables, connected.mesh, first)), x(first)
   {
     for (const std::int64_t node : interface)
-      for (int c = 0; c < 2; ++c)
+      for (int c = 0; c < skeleton.dim; ++c)
         interface_x.push_back(skeleton.x[node * skeleton.dim + c]);
   }
 
@@ -64,15 +78,12 @@ struct PrescribedMesh::Data
     return make_update(description, {skeleton, connected.plan, connected.mesh, numbering, first, interface});
   }
 
-  FlapMotion flap(FlapShape shape) const
-  {
-    return {description.prescribed->root, description.prescribed->tip, shape};
-  }
+  FlapMotion flap(FlapShape shape) const { return {*description.prescribed, shape}; }
 
   /// Moves the mesh to an angle and looks at it; the failure of the update, if any, goes to `failure`.
   SweepPoint visit(motion::Update& update, const FlapMotion& flap, double angle, std::string& failure)
   {
-    const std::vector<double> d = flap.displacement(interface_x, radians(angle));
+    const std::vector<double> d = flap.displacement(interface_x, skeleton.dim, radians(angle));
     SweepPoint point;
     point.angle = angle;
     const auto start = std::chrono::steady_clock::now();
@@ -151,11 +162,7 @@ Cycles PrescribedMesh::cycle(FlapShape shape)
         return cycles;
       }
     }
-    double drift = 0.0;
-    for (std::size_t i = 0; i < data_->x.size(); i += 2)
-      drift =
-          std::max(drift, std::hypot(data_->x[i] - data_->first[i], data_->x[i + 1] - data_->first[i + 1]));
-    cycles.drift.push_back(drift);
+    cycles.drift.push_back(largest_distance(data_->x, data_->first, data_->skeleton.dim));
     cycles.scaled_jacobian.push_back(least);
   }
   return cycles;

@@ -25,7 +25,7 @@ struct SweepPoint
 struct Snapshot
 {
   double angle = 0.0;     ///< [degrees]
-  std::vector<double> x;  ///< [m], shape (node_count, 2)
+  std::vector<double> x;  ///< [m], shape (node_count, dim)
 };
 
 /// How far one way of moving the mesh goes with a flap that is bent without a fluid.

@@ -203,6 +203,11 @@ Outcome run_observed(const case_file::Case& description, const RunOptions& optio
   if (!description.fluid && !description.solid)
     throw Error({description.path.string()}, "there is nothing to solve: the case has neither [fluid] nor "
                                              "[solid]; `blockfsi mesh` makes its mesh");
+  if (description.layout.dim != 2)
+    throw Error(
+        {description.path.string()},
+        "only blocks of two dimensions can be simulated; `blockfsi mesh` makes the mesh, and `blockfsi "
+        "compare --prescribed` moves it");
   const std::filesystem::path folder = result_folder(description, options);
   const auto start = std::chrono::steady_clock::now();
   const auto now = linalg::from_first(std::chrono::system_clock::now().time_since_epoch().count());

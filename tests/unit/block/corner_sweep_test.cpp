@@ -1,4 +1,5 @@
 #include "flag.hpp"
+#include "rods.hpp"
 
 #include <doctest/doctest.h>
 
@@ -79,5 +80,29 @@ TEST_CASE("over cycles of 60 degrees each way no mesh drifts, whatever the rule"
       CHECK(valid);
       CHECK(bent.drift() < 1e-8 * 0.02);  // of the flag's thickness
     }
+  }
+}
+
+TEST_CASE(
+    "around a flap in space the constant rule holds to 60 degrees of bending and twist, nonlinear to 90")
+{
+  // corners3d.md: radial 102.5 and 95, nonlinear beyond 150; least scaled Jacobian .92 .69 .33 in bending at
+  // 30, 60, 90 degrees and .86 .55 .17 in twist, nonlinear .92 .68 .36 and .87 .55 .15.
+  const Extrusion flap = flap_on_floor();
+  const ExtrudedBlocks blocks(flap, 4);
+  const ExtrudedBlocks coarse(flap, 2);  // whose samples suffice (corners3d.md section 4)
+  for (const Twist kind : {Twist::bend, Twist::twist})
+  {
+    CornerMotion radial(blocks.graph, CornerRule::radial);
+    const BodySweep constant = sweep(flap, radial, blocks, blocks, kind, 15.0, 90.0);
+    CHECK(constant.last == 90.0);
+    CHECK(constant.scaled_jacobian.at(30.0) ==
+          doctest::Approx(kind == Twist::bend ? 0.92 : 0.86).epsilon(0.02));
+    CHECK(constant.scaled_jacobian.at(60.0) ==
+          doctest::Approx(kind == Twist::bend ? 0.69 : 0.55).epsilon(0.02));
+    CornerMotion nonlinear(coarse.graph, nonlinear_defaults(3));
+    const BodySweep tethered = sweep(flap, nonlinear, coarse, blocks, kind, 15.0, 90.0);
+    CHECK(tethered.last == 90.0);
+    CHECK(tethered.scaled_jacobian.at(60.0) > 0.5);
   }
 }
