@@ -1,6 +1,7 @@
 #include "case/edge.hpp"
 
 #include "block/names.hpp"
+#include "case/curve.hpp"
 #include "case/level_set.hpp"
 #include "geometry/on_level_set.hpp"
 
@@ -16,62 +17,6 @@ namespace blockfsi::case_file
 
 namespace
 {
-
-struct Circle
-{
-  geometry::Point center{};
-  std::optional<double> radius;
-};
-
-const Keys<Circle>& circle_keys()
-{
-  static const Keys<Circle> keys = {
-      {{"center", "[number, number]", "required", "m", "centre of the circle"},
-       [](const Value& v, Reading& r, Circle& c) { c.center = point(v, r.constants); }},
-      {{"radius", "number", "from the ends", "m", "needed for the sides of a hole, whose points it moves"},
-       [](const Value& v, Reading& r, Circle& c) { c.radius = number(v, r.constants, positive); }}};
-  return keys;
-}
-
-void read_circle(const Value& value, Reading& reading, EdgeData& edge)
-{
-  Circle circle;
-  read_keys(value, circle_keys(), reading, circle);
-  edge.curve = geometry::Arc{circle.center};
-  edge.radius = circle.radius;
-}
-
-void read_through(const Value& value, Reading& reading, EdgeData& edge)
-{
-  geometry::Through through;
-  for (const Value& entry : list(value))
-    through.points.push_back(point(entry, reading.constants));
-  if (through.points.empty())
-    fail(value, "found an empty list, allowed are points [x, y] between the ends");
-  edge.curve = through;
-}
-
-/// Undefined values would only show as a broken mesh later.
-void check_formula(const Value& value, const Expression& formula)
-{
-  constexpr int samples = 32;
-  for (int i = 0; i <= samples; ++i)
-  {
-    const double t = static_cast<double>(i) / samples;
-    const double result = formula(0.0, 0.0, 0.0, t);
-    if (!std::isfinite(result))
-      fail(value, fmt::format("\"{}\" is {} at t = {}; it must be finite from t = 0 to 1", formula.text(),
-                              number_text(result), t));
-  }
-}
-
-void read_formula(const Value& value, Reading& reading, EdgeData& edge)
-{
-  const geometry::Formula formula{vector(value, reading.constants, along_curve)};
-  for (std::size_t i = 0; i < 2; ++i)
-    check_formula(list(value)[i], formula.x[i]);
-  edge.curve = formula;
-}
 
 /// An edge on level sets.
 struct Surfaces
@@ -214,16 +159,14 @@ std::string trimmed(std::string_view text)
 
 const Keys<EdgeData>& curve_keys()
 {
-  static const Keys<EdgeData> keys = {
-      {{"circle", "table", "", "", "the shorter arc between the ends about a centre"}, read_circle},
-      {{"through", "list of [number, number]", "", "m",
-        "Lagrange's curve through these points between the ends"},
-       read_through},
-      {{"formula", "[formula, formula] in t", "", "m", "x and y for t from 0 at the start to 1 at the end"},
-       read_formula},
-      {{"level_set", "name, formula, list of two or table", "", "",
-        "on a level set, or on two: found from the chord between the ends"},
-       read_level_set}};
+  static const Keys<EdgeData> keys = []
+  {
+    Keys<EdgeData> all = explicit_curve_keys();
+    all.push_back({{"level_set", "name, formula, list of two or table", "", "",
+                    "on a level set, or on two: found from the chord between the ends"},
+                   read_level_set});
+    return all;
+  }();
   return keys;
 }
 
@@ -306,11 +249,15 @@ std::array<int, 2> edge_points(const block::Layout& layout, const Location& wher
 
 std::vector<Section> edge_sections()
 {
-  return {section("circle = { ... }", "", circle_keys()),
-          section("level_set = { ... }", "of edges", level_set_keys()),
-          section("grade = { ... }",
-                  "exactly one of ratio, positions, sizes, or one or both of first and last", grading_keys()),
-          section("grade = [{ ... }]", "in [blocks] and in lattices", towards_keys())};
+  std::vector<Section> result = explicit_curve_sections();
+  for (Section& other : std::vector<Section>{
+           section("level_set = { ... }", "of edges", level_set_keys()),
+           section("grade = { ... }",
+                   "exactly one of ratio, positions, sizes, or one or both of first and last",
+                   grading_keys()),
+           section("grade = [{ ... }]", "in [blocks] and in lattices", towards_keys())})
+    result.push_back(std::move(other));
+  return result;
 }
 
 }  // namespace blockfsi::case_file

@@ -24,12 +24,11 @@ struct EdgeData
   Location where;
 };
 
-/// The keys circle, through and formula.
+/// The keys of curves: those of explicit_curve_keys and level_set.
 const Keys<EdgeData>& curve_keys();
 /// The keys divide and grade.
 const Keys<EdgeData>& cells_keys();
-/// Throws Error unless the table gives exactly one (or, if `optional`, at most one) of circle, through,
-/// formula.
+/// Throws Error unless the table gives exactly one (or, if `optional`, at most one) of these keys.
 void require_one_curve(const Value& value, bool optional);
 
 /// "uniform" or a table with ratio, first, last.

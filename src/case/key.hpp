@@ -3,6 +3,7 @@
 #include "case/tree.hpp"
 #include "case/value.hpp"
 #include "core/nearest.hpp"
+#include "geometry/cad.hpp"
 #include "geometry/level_set.hpp"
 
 #include <algorithm>
@@ -34,6 +35,7 @@ struct Reading
   std::vector<std::string> boundaries;  ///< names in [boundaries]
   std::vector<Sample> samples;
   std::map<std::string, geometry::LevelSet> level_sets;  ///< of [geometry], as far as they are read
+  std::map<std::string, geometry::CadFile> cad_files;    ///< by path, as far as they are read
   const Value* geometry = nullptr;                       ///< the section [geometry]
   std::vector<std::string> unfinished;  ///< names in [geometry] that are being read, each for the one before
 };

@@ -1,6 +1,11 @@
 #include "geometry/cad.hpp"
 
+#include "core/error.hpp"
+
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
 
 namespace blockfsi::geometry
 {
@@ -21,6 +26,20 @@ std::string heading(const char* what)
 }
 
 }  // namespace
+
+bool is_iges(const std::filesystem::path& path)
+{
+  if (!std::filesystem::is_regular_file(path))
+    throw Error(fmt::format("cannot read {}: there is no such file", path.string()));
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const bool iges = ending == ".iges" || ending == ".igs";
+  if (!iges && ending != ".step" && ending != ".stp")
+    throw Error(
+        fmt::format("cannot read {}: its name must end in .step, .stp, .iges or .igs", path.string()));
+  return iges;
+}
 
 std::string describe(const CadFile& file)
 {

@@ -58,6 +58,10 @@ private:
   std::shared_ptr<const Shapes> shapes_;
 };
 
+/// Whether a file exists and is IGES by its name, else STEP; throws Error if it is missing or has another
+/// ending.
+bool is_iges(const std::filesystem::path& path);
+
 /// All edges and faces with number, type, size and place, one line each.
 std::string describe(const CadFile& file);
 

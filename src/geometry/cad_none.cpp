@@ -16,6 +16,7 @@ struct CadFile::Shapes
 
 CadFile::CadFile(const std::filesystem::path& path)
 {
+  static_cast<void>(is_iges(path));
   throw Error(fmt::format("cannot read {}: this program was built without CAD; install Open CASCADE (Debian: "
                           "libocct-data-exchange-dev) and build with -DBLOCKFSI_CAD=ON, as ./dev does",
                           path.string()));

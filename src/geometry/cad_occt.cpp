@@ -41,7 +41,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string_view>
 
 namespace blockfsi::geometry
@@ -76,7 +75,7 @@ Point plain(const Vector& p)
   return {p.X(), p.Y(), p.Z()};
 }
 
-/// Failures of Open CASCADE as errors of ours.
+/// Failures of Open CASCADE as errors of ours, after `what`.
 template <typename Make>
 auto guarded(const std::string& what, const Make& make)
 {
@@ -87,6 +86,10 @@ auto guarded(const std::string& what, const Make& make)
   catch (const Standard_Failure& failure)
   {
     throw Error(fmt::format("{}: Open CASCADE fails with {}", what, failure.GetMessageString()));
+  }
+  catch (const Error& error)
+  {
+    throw error.within(what);
   }
 }
 
@@ -101,24 +104,14 @@ TopoDS_Shape transfer(const std::string& name)
 {
   Reader reader;
   if (reader.ReadFile(name.c_str()) != IFSelect_RetDone)
-    throw Error(fmt::format("cannot read {}: it is missing or no file of its kind", name));
+    throw Error("it is no file of the kind that its name ends in");
   reader.TransferRoots();
   return reader.OneShape();
 }
 
-TopoDS_Shape read_shape(const std::filesystem::path& path)
+TopoDS_Shape read_shape(const std::string& name, bool iges)
 {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const std::string name = path.string();
-  if (!std::filesystem::is_regular_file(path))
-    throw Error(fmt::format("cannot read {}: there is no such file", name));
-  if (ending == ".step" || ending == ".stp")
-    return transfer<STEPControl_Reader>(name);
-  if (ending == ".iges" || ending == ".igs")
-    return transfer<IGESControl_Reader>(name);
-  throw Error(fmt::format("cannot read {}: its name must end in .step, .stp, .iges or .igs", name));
+  return iges ? transfer<IGESControl_Reader>(name) : transfer<STEPControl_Reader>(name);
 }
 
 const char* type_name(GeomAbs_CurveType type)
@@ -398,13 +391,14 @@ void check_number(const std::string& name, const char* what, int number, std::si
 
 CadFile::CadFile(const std::filesystem::path& path)
 {
+  const bool iges = is_iges(path);
   silence();
   const auto shapes = std::make_shared<Shapes>();
   shapes->name = path.string();
-  guarded("cannot read " + shapes->name,
+  guarded("the CAD file " + shapes->name,
           [&]
           {
-            const TopoDS_Shape shape = read_shape(path);
+            const TopoDS_Shape shape = read_shape(shapes->name, iges);
             if (!shape.IsNull())
             {
               TopExp::MapShapes(shape, TopAbs_EDGE, shapes->edge_map);
@@ -433,33 +427,17 @@ const std::vector<CadItem>& CadFile::faces() const
 CadCurve CadFile::edge(int number) const
 {
   check_number(shapes_->name, "edge", number, shapes_->edges.size());
-  const std::string what = fmt::format("edge {} of {}", number, shapes_->name);
-  try
-  {
-    return guarded(
-        what, [&]
-        { return convert(TopoDS::Edge(shapes_->edge_map(number)), size_of(shapes_->edges[number - 1])); });
-  }
-  catch (const Error& error)
-  {
-    throw error.within(what);
-  }
+  return guarded(
+      fmt::format("edge {} of {}", number, shapes_->name),
+      [&] { return convert(TopoDS::Edge(shapes_->edge_map(number)), size_of(shapes_->edges[number - 1])); });
 }
 
 CadSurface CadFile::face(int number) const
 {
   check_number(shapes_->name, "face", number, shapes_->faces.size());
-  const std::string what = fmt::format("face {} of {}", number, shapes_->name);
-  try
-  {
-    return guarded(
-        what, [&]
-        { return convert(TopoDS::Face(shapes_->face_map(number)), size_of(shapes_->faces[number - 1])); });
-  }
-  catch (const Error& error)
-  {
-    throw error.within(what);
-  }
+  return guarded(
+      fmt::format("face {} of {}", number, shapes_->name),
+      [&] { return convert(TopoDS::Face(shapes_->face_map(number)), size_of(shapes_->faces[number - 1])); });
 }
 
 }  // namespace blockfsi::geometry

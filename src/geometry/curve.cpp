@@ -65,11 +65,9 @@ void check_ends(const char* what, const Curve& curve, const Point& a, const Poin
   {
     const Point& wanted = end == 0 ? a : b;
     if (!(distance(path.own_end(end), wanted) <= fit_tolerance * path.length()))
-      throw Error(
-          fmt::format("{} gives {} at t = {} but the edge {} at {}; correct the {}, the point or the order "
-                      "of the edge's points",
-                      what, text(path.own_end(end)), end, end == 0 ? "starts" : "ends", text(wanted),
-                      std::holds_alternative<Spline>(curve) ? "control point" : "formula"));
+      throw Error(fmt::format("{} gives {} at t = {} but the edge {} at {}; correct the {} or the point",
+                              what, text(path.own_end(end)), end, end == 0 ? "starts" : "ends", text(wanted),
+                              std::holds_alternative<Spline>(curve) ? "control point" : "formula"));
   }
   if (!std::isfinite(path.length()))
     throw Error(fmt::format("{} has no finite value somewhere between t = 0 and t = 1", what));

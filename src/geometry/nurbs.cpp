@@ -6,6 +6,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <type_traits>
 
 namespace blockfsi::geometry
 {
@@ -91,28 +92,53 @@ Homogeneous weighted_sum(const Point* points, const double* weights, int degree,
   return sum;
 }
 
-Point evaluate_in_span(const NurbsCurve& curve, double k, int span)
+/// Calls `work` with the degree as a constant if it is a usual one, which lets the compiler unroll its loops,
+/// else as it is.
+template <typename Work>
+void with_constant(int degree, const Work& work)
+{
+  switch (degree)
+  {
+  case 1:
+    return work(std::integral_constant<int, 1>{});
+  case 2:
+    return work(std::integral_constant<int, 2>{});
+  case 3:
+    return work(std::integral_constant<int, 3>{});
+  case 4:
+    return work(std::integral_constant<int, 4>{});
+  default:
+    return work(degree);
+  }
+}
+
+/// `degree` is that of the curve, as a number or as a constant.
+template <typename Degree>
+[[gnu::always_inline]] inline Point evaluate_in_span(const NurbsCurve& curve, Degree degree, double k,
+                                                     int span)
 {
   BasisValues N;
-  basis<0>(curve.knots, curve.degree, span, k, N);
-  const Point* points = curve.points.data() + span - curve.degree;
+  basis<0>(curve.knots, degree, span, k, N);
+  const Point* points = curve.points.data() + span - degree;
   if (curve.weights.empty())
   {
     Point x{};
-    for (int j = 0; j <= curve.degree; ++j)
+    for (int j = 0; j <= degree; ++j)
       x = add_scaled(x, N.value[j], points[j]);
     return x;
   }
-  const double* weights = curve.weights.data() + span - curve.degree;
-  return project(weighted_sum(points, weights, curve.degree, N.value.data()));
+  const double* weights = curve.weights.data() + span - degree;
+  return project(weighted_sum(points, weights, degree, N.value.data()));
 }
 
 /// Spans of both directions.
 using Spans = std::array<int, 2>;
 
-Point evaluate_in_span(const NurbsSurface& surface, double ku, double kv, const Spans& spans)
+/// p and q are the degrees of the surface, as numbers or as constants.
+template <typename P, typename Q>
+[[gnu::always_inline]] inline Point evaluate_in_span(const NurbsSurface& surface, P p, Q q, double ku,
+                                                     double kv, const Spans& spans)
 {
-  const auto [p, q] = surface.degrees;
   BasisValues M;
   BasisValues N;
   basis<0>(surface.knots[0], p, spans[0], ku, M);
@@ -167,20 +193,25 @@ void check(std::string_view what, const NurbsSurface& surface)
 
 Point evaluate(const NurbsCurve& curve, double t)
 {
-  const double k = knot_parameter(curve.knots, t);
-  return evaluate_in_span(curve, k, find_span(curve.knots, curve.degree, k, 0));
+  Point x;
+  evaluate(curve, std::span(&t, 1), std::span(&x, 1));
+  return x;
 }
 
 void evaluate(const NurbsCurve& curve, std::span<const double> t, std::span<Point> x)
 {
   assert(t.size() == x.size());
-  int span = curve.degree;
-  for (std::size_t i = 0; i < t.size(); ++i)
-  {
-    const double k = knot_parameter(curve.knots, t[i]);
-    span = find_span(curve.knots, curve.degree, k, span);
-    x[i] = evaluate_in_span(curve, k, span);
-  }
+  with_constant(curve.degree,
+                [&](auto degree)
+                {
+                  int span = degree;
+                  for (std::size_t i = 0; i < t.size(); ++i)
+                  {
+                    const double k = knot_parameter(curve.knots, t[i]);
+                    span = find_span(curve.knots, degree, k, span);
+                    x[i] = evaluate_in_span(curve, degree, k, span);
+                  }
+                });
 }
 
 CurveJet jet(const NurbsCurve& curve, double t)
@@ -205,26 +236,30 @@ CurveJet jet(const NurbsCurve& curve, double t)
 
 Point evaluate(const NurbsSurface& surface, double u, double v)
 {
-  const double ku = knot_parameter(surface.knots[0], u);
-  const double kv = knot_parameter(surface.knots[1], v);
-  return evaluate_in_span(surface, ku, kv,
-                          {find_span(surface.knots[0], surface.degrees[0], ku, 0),
-                           find_span(surface.knots[1], surface.degrees[1], kv, 0)});
+  Point x;
+  evaluate(surface, std::span(&u, 1), std::span(&v, 1), std::span(&x, 1));
+  return x;
 }
 
 void evaluate(const NurbsSurface& surface, std::span<const double> u, std::span<const double> v,
               std::span<Point> x)
 {
   assert(u.size() == x.size() && v.size() == x.size());
-  Spans spans = surface.degrees;
-  for (std::size_t i = 0; i < x.size(); ++i)
+  const auto work = [&](auto p, auto q)
   {
-    const double ku = knot_parameter(surface.knots[0], u[i]);
-    const double kv = knot_parameter(surface.knots[1], v[i]);
-    spans = {find_span(surface.knots[0], surface.degrees[0], ku, spans[0]),
-             find_span(surface.knots[1], surface.degrees[1], kv, spans[1])};
-    x[i] = evaluate_in_span(surface, ku, kv, spans);
-  }
+    Spans spans = surface.degrees;
+    for (std::size_t i = 0; i < x.size(); ++i)
+    {
+      const double ku = knot_parameter(surface.knots[0], u[i]);
+      const double kv = knot_parameter(surface.knots[1], v[i]);
+      spans = {find_span(surface.knots[0], p, ku, spans[0]), find_span(surface.knots[1], q, kv, spans[1])};
+      x[i] = evaluate_in_span(surface, p, q, ku, kv, spans);
+    }
+  };
+  if (surface.degrees[0] == surface.degrees[1])
+    with_constant(surface.degrees[0], [&](auto degree) { work(degree, degree); });
+  else
+    work(surface.degrees[0], surface.degrees[1]);
 }
 
 SurfaceJet jet(const NurbsSurface& surface, double u, double v)

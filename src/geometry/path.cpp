@@ -193,7 +193,7 @@ raw::Any make_raw(const Curve& curve, const Point& a, const Point& b, bool rever
                                [&](const Through& through) -> raw::Any
                                { return make_polynomial(through, a, b, reversed); },
                                [&](const OnLevelSet& c) -> raw::Any {
-                                 return Projected{c.lengths ? c : measured(c, a, b), a, b};
+                                 return Projected{c.lengths || !c.by_length ? c : measured(c, a, b), a, b};
                                },
                                [](const Formula& formula) -> raw::Any { return &formula; },
                                [&](const Spline& spline) -> raw::Any
@@ -259,7 +259,7 @@ Path::Path(const Curve& curve, const Point& a, const Point& b) : ends_{a, b}
   else if (const auto* turn = std::get_if<Turn>(&raw_); turn && keeps_parameter(curve))
     length_ = norm(turn->first) * turn->angle;
   else if (const auto* projected = std::get_if<Projected>(&raw_))
-    length_ = projected->curve.lengths->length();
+    length_ = geometry::length(projected->curve, a, b);
   else
   {
     table_ = std::visit([&](const auto& any) { return measure(speed_of(any), breaks_of(raw_)); }, raw_);

@@ -250,3 +250,30 @@ TEST_CASE("mistakes in ways of moving the mesh are explained")
   CHECK(complaint(everything, {"compare.solid={ pseudo_solid = { near_interface = { exponent = 2 } } }"})
             .find("the key 'length' is missing") != std::string::npos);
 }
+
+TEST_CASE("every kind of curve is read, in the plane and in space")
+{
+  const std::array<std::pair<const char*, const char*>, 12> curves{{
+      {"circle", "{ center = [3.5, 0.5], axis = [0, 0, 1] }"},
+      {"circle", "{ center = [4, 0.75], longer = true }"},
+      {"circle", "{ through = [3.1, 0.8] }"},
+      {"ellipse", "{ center = [3, 1], axes = [[1, 0], [0, 0.5]] }"},
+      {"through", "[[3.1, 0.8]]"},
+      {"through", "{ points = [[3.1, 0.8]], parameters = [0.4], speed = 'own' }"},
+      {"bspline", "{ degree = 2, points = [[3, 0.5], [3.1, 0.8], [3, 1]] }"},
+      {"bspline", "{ degree = 1, points = [[3, 0], [3, 2]], knots = [0, 0, 1, 1], part = true }"},
+      {"nurbs", "{ degree = 2, points = [[3, 1], [3.1, 0.8], [3, 0.5]], weights = [1, 2, 1] }"},
+      {"formula", "['3 + t * (1 - t)', '0.5 + t / 2']"},
+      {"formula", "['3 + t * (1 - t)', '0.5 + t / 2', 0]"},
+      {"formula", "['3 + t * (1 - t)', '1 - t / 2']"},
+  }};
+  for (const auto& [key, value] : curves)
+  {
+    CAPTURE(std::string(value));
+    const std::string edge = "blocks.edges.'p - q'={ " + std::string(key) + " = " + value + " }";
+    const std::string message = complaint(everything, {edge});
+    // Whether the ends of p and q fit is for the geometry; here the keys must be known and make sense.
+    const bool known = message == "accepted" || message.find("the edge from 'p'") != std::string::npos;
+    CHECK_MESSAGE(known, message);
+  }
+}

@@ -215,8 +215,7 @@ TEST_CASE("curves that do not fit their points are refused with the reason")
   CHECK(message_of(
             geometry::Spline{{.degree = 1, .knots = {0, 0, 1, 1}, .points = {a, {1, 1, 0}}, .weights = {}}},
             a, {2, 0, 0}) == "the B-spline gives (1, 1) at t = 1 but the edge ends at (2, 0); correct the "
-                             "control point, the point or the "
-                             "order of the edge's points");
+                             "control point or the point");
   CHECK(
       message_of(geometry::Spline{{.degree = 1, .knots = {0, 0, 1}, .points = {a, {2, 0, 0}}, .weights = {}}},
                  a, {2, 0, 0}) == "the B-spline: found 3 knots; 2 control points of degree 1 need 4");
@@ -226,9 +225,8 @@ TEST_CASE("curves that do not fit their points are refused with the reason")
         "from the "
         "one before");
   CHECK(message_of(geometry::Formula{{formula("1 + t"), formula("t"), 0.0}}, a, {2.0, 0.5, 0.0}) ==
-        "the formula of the curve gives (2, 1) at t = 1 but the edge ends at (2, 0.5); correct the formula, "
-        "the point "
-        "or the order of the edge's points");
+        "the formula of the curve gives (2, 1) at t = 1 but the edge ends at (2, 0.5); correct the formula "
+        "or the point");
   CHECK(message_of(geometry::Formula{{formula("1 + t"), formula("t / 0"), 0.0}}, a, {2.0, 0.5, 0.0}) != "");
 }
 
