@@ -58,6 +58,9 @@ private:
   std::shared_ptr<const Shapes> shapes_;
 };
 
+/// Whether this build reads CAD files (CMake option BLOCKFSI_CAD).
+bool reads_cad();
+
 /// Whether a file exists and is IGES by its name, else STEP; throws Error if it is missing or has another
 /// ending.
 bool is_iges(const std::filesystem::path& path);

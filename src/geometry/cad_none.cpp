@@ -14,6 +14,11 @@ struct CadFile::Shapes
   std::vector<CadItem> none;
 };
 
+bool reads_cad()
+{
+  return false;
+}
+
 CadFile::CadFile(const std::filesystem::path& path)
 {
   static_cast<void>(is_iges(path));

@@ -389,6 +389,11 @@ void check_number(const std::string& name, const char* what, int number, std::si
 
 }  // namespace
 
+bool reads_cad()
+{
+  return true;
+}
+
 CadFile::CadFile(const std::filesystem::path& path)
 {
   const bool iges = is_iges(path);

@@ -3,6 +3,8 @@
 #include "case/case.hpp"
 #include "case/tree.hpp"
 
+#include "geometry/cad.hpp"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -84,8 +86,12 @@ std::set<std::string> parsed_keys()
   std::set<std::string> keys;
   for (const std::vector<std::string>& overrides : variations)
     add_keys(everything, overrides, keys);
-  for (const char* file : {"everything_3d.toml", "everything_plane.toml"})
+  for (const char* file : {"everything_3d.toml", "everything_plane.toml", "curves.toml"})
     add_keys(everything.parent_path() / file, {}, keys);
+  if (geometry::reads_cad())
+    add_keys(everything.parent_path() / "curves_cad.toml", {}, keys);
+  else
+    keys.insert({"step", "iges", "file", "edge"});
   return keys;
 }
 

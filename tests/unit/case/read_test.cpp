@@ -1,6 +1,8 @@
 #include "case/case.hpp"
 
 #include "core/error.hpp"
+#include "geometry/cad.hpp"
+#include "geometry/curve.hpp"
 
 #include <doctest/doctest.h>
 
@@ -251,29 +253,43 @@ TEST_CASE("mistakes in ways of moving the mesh are explained")
             .find("the key 'length' is missing") != std::string::npos);
 }
 
-TEST_CASE("every kind of curve is read, in the plane and in space")
+TEST_CASE("curves are read as they are written")
 {
-  const std::array<std::pair<const char*, const char*>, 12> curves{{
-      {"circle", "{ center = [3.5, 0.5], axis = [0, 0, 1] }"},
-      {"circle", "{ center = [4, 0.75], longer = true }"},
-      {"circle", "{ through = [3.1, 0.8] }"},
-      {"ellipse", "{ center = [3, 1], axes = [[1, 0], [0, 0.5]] }"},
-      {"through", "[[3.1, 0.8]]"},
-      {"through", "{ points = [[3.1, 0.8]], parameters = [0.4], speed = 'own' }"},
-      {"bspline", "{ degree = 2, points = [[3, 0.5], [3.1, 0.8], [3, 1]] }"},
-      {"bspline", "{ degree = 1, points = [[3, 0], [3, 2]], knots = [0, 0, 1, 1], part = true }"},
-      {"nurbs", "{ degree = 2, points = [[3, 1], [3.1, 0.8], [3, 0.5]], weights = [1, 2, 1] }"},
-      {"formula", "['3 + t * (1 - t)', '0.5 + t / 2']"},
-      {"formula", "['3 + t * (1 - t)', '0.5 + t / 2', 0]"},
-      {"formula", "['3 + t * (1 - t)', '1 - t / 2']"},
-  }};
-  for (const auto& [key, value] : curves)
+  const case_file::Case read = case_file::read(folder / "curves.toml");
+  REQUIRE(read.layout.edges.size() == 9);
+  const auto curve = [&](int i) -> const geometry::Curve& { return read.layout.edges[i].curve; };
+  CHECK(std::get<geometry::Arc>(curve(0)).axis == geometry::Point{0, 0, 1});
+  CHECK(std::get<geometry::Arc>(curve(1)).longer);
+  CHECK(std::get<geometry::ArcThrough>(curve(2)).point == geometry::Point{2.4, -0.2, 0});
+  CHECK(std::get<geometry::Ellipse>(curve(3)).second == geometry::Point{1, 0.5, 0});
+  CHECK(std::get<geometry::Through>(curve(4)).parameters == std::vector<double>{0.4});
+  CHECK(std::get<geometry::Through>(curve(4)).speed == geometry::Speed::own);
+  CHECK(std::get<geometry::Spline>(curve(5)).curve.knots == std::vector<double>{0, 0, 0, 1, 1, 1});
+  CHECK(std::get<geometry::Spline>(curve(6)).part);
+  CHECK(std::get<geometry::Spline>(curve(7)).curve.weights == std::vector<double>{1, 2, 1});
+  CHECK(std::get<geometry::Formula>(curve(8)).x[0](0.0, 0.0, 0.0, 0.25) == 8.75);
+}
+
+TEST_CASE("edges of STEP and IGES files are curves in metres")
+{
+  if (!geometry::reads_cad())
+    return;
+  const case_file::Case read = case_file::read(folder / "curves_cad.toml");
+  REQUIRE(read.layout.edges.size() == 2);
+  const auto ends = [&](int i)
   {
-    CAPTURE(std::string(value));
-    const std::string edge = "blocks.edges.'p - q'={ " + std::string(key) + " = " + value + " }";
-    const std::string message = complaint(everything, {edge});
-    // Whether the ends of p and q fit is for the geometry; here the keys must be known and make sense.
-    const bool known = message == "accepted" || message.find("the edge from 'p'") != std::string::npos;
-    CHECK_MESSAGE(known, message);
-  }
+    const block::Edge& edge = read.layout.edges[i];
+    return std::array{point(read, edge.a).x, point(read, edge.b).x};
+  };
+  const geometry::Curve& arc = read.layout.edges[0].curve;
+  const geometry::Point middle = geometry::evaluate(arc, ends(0)[0], ends(0)[1], 0.5);
+  CHECK(geometry::distance(middle, {0.5, -0.2, 0.0}) < 1e-12);
+  // Three quarters of a circle of radius 0.5.
+  const geometry::Curve& circle = read.layout.edges[1].curve;
+  CHECK(geometry::length(circle, ends(1)[0], ends(1)[1]) ==
+        doctest::Approx(0.75 * 3.14159265358979).epsilon(1e-12));
+  const std::string file = (folder / "part.step").string();
+  CHECK(complaint(folder / "curves_cad.toml",
+                  {"blocks.edges.'row x0 y1 - row x1 y1'={ step = { file = '" + file + "', edge = 7 } }"})
+            .find("has no edge 7; its edges have the numbers from 1 to 1") != std::string::npos);
 }
