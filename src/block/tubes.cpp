@@ -1,14 +1,16 @@
 #include "block/tubes.hpp"
 
 #include "block/message.hpp"
+#include "geometry/on_level_set.hpp"
+#include "geometry/primitive.hpp"
 #include "geometry/project.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
-#include <set>
 #include <utility>
 
 namespace blockfsi::block
@@ -276,7 +278,7 @@ private:
       fill(sections[i], sections[i + 1]);
     for (const bool last : {false, true})
       if (const int end = last ? nodes.back() : nodes.front(); at_node_[end].size() == 1)
-        add_end(end, last ? sections.back() : sections.front());
+        add_end(end, last ? sections.back() : sections.front(), last ? cuts.back() : cuts.front());
   }
 
   /// Where a section goes and across which direction.
@@ -382,8 +384,7 @@ private:
 
   void set_divisions(int a, int b, int count, const std::optional<Grading>& grading = {})
   {
-    const auto [low, high] = std::minmax(a, b);
-    if (!divided_.insert({low, high}).second)
+    if (!divided_.try_emplace(std::minmax(a, b), layout_.edges.size()).second)
       return;
     Edge edge;
     edge.a = a;
@@ -428,8 +429,18 @@ private:
     }
   }
 
-  void add_end(int node, const Section& section)
+  void add_end(int node, const Section& section, const Cut& cut)
   {
+    // Both on the wall and in the plane of the section: openings are flat.
+    for (int k = 0; k < around_count; ++k)
+    {
+      Edge& edge =
+          layout_.edges[divided_.at(std::minmax(section.wall[k], section.wall[(k + 1) % around_count]))];
+      const Point& a = layout_.points[edge.a].x;
+      const Point& b = layout_.points[edge.b].x;
+      geometry::OnLevelSet curve{tubes_.wall, geometry::plane(cut.x, cut.direction)};
+      edge.curve = geometry::measured(curve, a, b);
+    }
     std::vector<std::vector<int>> faces;
     for (const auto& quad : quadrilaterals(section))
       faces.emplace_back(quad.begin(), quad.end());
@@ -441,7 +452,7 @@ private:
   std::vector<std::vector<int>> at_node_;    ///< segments at each node
   std::vector<std::vector<Section>> joint_;  ///< sections of the three tubes at a joint, else empty
   std::vector<bool> is_built_;               ///< of each segment
-  std::set<std::pair<int, int>> divided_;    ///< edges whose cells are given
+  std::map<std::pair<int, int>, std::size_t> divided_;  ///< entries of edges by their points
   std::vector<std::vector<int>> wall_faces_;
   int block_count_ = 0;
 };

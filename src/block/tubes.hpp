@@ -18,7 +18,7 @@ namespace blockfsi::block
 /// between sections are hexahedra. Where three tubes meet, three half discs share the diameter between the
 /// two poles of the joint, and the section of each tube is made of two of them (Antiga, Ene-Iordache,
 /// Caverni, Cornalba & Remuzzi 2002). Corners on the wall lie where rays from the node meet the level set,
-/// faces on the wall are projected onto it.
+/// faces on the wall are projected onto it. Ends are flat.
 struct Tubes
 {
   struct Node
