@@ -217,8 +217,7 @@ std::vector<Section> blocks_sections()
   result.push_back(section("[blocks.quads] NAME = { ... }",
                            "the same in [blocks.triangles], hexes, tets, prisms and pyramids",
                            single_keys()));
-  result.push_back(section("[blocks.edges] \"a - b\" = { ... }",
-                           "at most one curve", edge_keys()));
+  result.push_back(section("[blocks.edges] \"a - b\" = { ... }", "at most one curve", edge_keys()));
   for (Section& edge : edge_sections())
     result.push_back(std::move(edge));
   for (Section& face : face_sections())
