@@ -1,5 +1,6 @@
 #include "case/case.hpp"
 #include "case/describe.hpp"
+#include "element/nodes.hpp"
 #include "linalg/communicator.hpp"
 #include "linalg/session.hpp"
 #include "run/compare.hpp"
@@ -29,8 +30,8 @@ struct Arguments
   std::vector<std::string> overrides;
   std::string directory;
   bool restart = false;
-  std::string mesh_output;
-  bool sizes = false;
+  blockfsi::run::MeshOptions mesh;
+  std::vector<std::string> conversions;
   std::string level = "full";
   bool finished = false;
   std::vector<std::string> motions;
@@ -69,7 +70,12 @@ Exit check(const Arguments& arguments)
 
 Exit mesh(const Arguments& arguments)
 {
-  return blockfsi::run::make_mesh(read(arguments), arguments.mesh_output, arguments.sizes);
+  blockfsi::run::MeshOptions options = arguments.mesh;
+  for (const std::string& name : arguments.conversions)
+    for (const auto& [known, target] : blockfsi::run::conversions())
+      if (name == known)
+        options.steps.push_back(target);
+  return blockfsi::run::make_mesh(read(arguments), options);
 }
 
 /// Runs the case unless its finished output is to be taken, and compares it with the references beside it.
@@ -100,6 +106,28 @@ void add_case(CLI::App& command, Arguments& arguments)
   command.add_option("case", arguments.case_path, "case file (TOML)")->required();
   command.add_option("--set", arguments.overrides, "replace a value of the case: section.key=value (TOML)")
       ->allow_extra_args(false);
+}
+
+void add_mesh_options(CLI::App& command, Arguments& arguments)
+{
+  add_case(command, arguments);
+  command.add_option("-o,--output", arguments.mesh.output,
+                     "file to write: .vtu (VTK, ParaView) or .msh (Gmsh)");
+  std::vector<std::string> names;
+  for (const auto& [name, target] : blockfsi::run::conversions())
+    names.push_back(name);
+  command
+      .add_option("--convert", arguments.conversions,
+                  "cut all cells into triangles (2 of a quadrilateral; triangles4: 4), quadrilaterals, "
+                  "tetrahedra or hexahedra; several with commas between: one after the other")
+      ->check(CLI::IsMember(names))
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command.add_option("--order", arguments.mesh.order, "order of the cells instead of the case's")
+      ->check(CLI::Range(1, blockfsi::element::largest_order));
+  command.add_option("--picture", arguments.mesh.picture,
+                     "draw the blocks: .svg in the plane; in space .vtu, their edges");
+  command.add_flag("--sizes", arguments.mesh.sizes, "list the cells along every edge of the blocks");
 }
 
 Exit dispatch(int count, char** values)
@@ -133,9 +161,7 @@ Exit dispatch(int count, char** values)
   add_case(*check_command, arguments);
 
   CLI::App* mesh_command = app.add_subcommand("mesh", "make the mesh of a case and report its quality");
-  add_case(*mesh_command, arguments);
-  mesh_command->add_option("-o,--output", arguments.mesh_output, "file to write (.vtu)");
-  mesh_command->add_flag("--sizes", arguments.sizes, "list the cells along every edge");
+  add_mesh_options(*mesh_command, arguments);
 
   CLI::App* verify_command =
       app.add_subcommand("verify", "run a case and compare it with the reference.csv beside it");

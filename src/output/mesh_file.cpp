@@ -33,6 +33,11 @@ Format format_of(const std::filesystem::path& path)
 
 }  // namespace
 
+void check_mesh_path(const std::filesystem::path& path)
+{
+  format_of(path);
+}
+
 void write_mesh(const std::filesystem::path& path, const mesh::Mesh& mesh, std::span<const double> x,
                 std::span<const Field> fields, std::span<const CellField> cell_fields)
 {

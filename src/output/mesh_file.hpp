@@ -30,6 +30,9 @@ struct ReadMesh
   std::vector<ReadField> cell_fields;
 };
 
+/// Throws Error unless the ending of the name is one of those that `write_mesh` knows.
+void check_mesh_path(const std::filesystem::path& path);
+
 /// Writes a mesh with the names of its blocks, regions and boundaries in the format that the ending of the
 /// name asks for: .vtu for VTK and ParaView, .msh for Gmsh (version 4.1, binary). x [m] has shape
 /// (node_count, dim). Throws Error for another ending, if the file cannot be written or if a field does not

@@ -65,4 +65,46 @@ struct Panel
 /// Panels in rows, all showing the same window; what lies outside of it is left out.
 std::string draw(std::span<const Panel> panels, const Window& window, int columns, const std::string& title);
 
+/// An edge of blocks in a picture of them.
+struct BlockLine
+{
+  std::string name;
+  int divisions = 1;
+  int boundary = -1;  ///< entry of BlockPicture::boundaries; -1: between blocks
+  int pieces = 1;
+  /// Gauss-Lobatto nodes of order 3 of each piece, ends shared [m], shape (3 pieces + 1).
+  std::vector<std::array<double, 2>> x;
+  std::vector<std::array<double, 2>> cell_ends;  ///< between its ends [m]
+};
+
+/// A block by its edges, one after the other round it.
+struct BlockOutline
+{
+  std::string name;
+  int region = 0;          ///< entry of BlockPicture::regions
+  std::vector<int> lines;  ///< entries of BlockPicture::lines
+};
+
+struct NamedPoint
+{
+  std::string name;
+  std::array<double, 2> x{};  ///< [m]
+};
+
+/// The blocks of a mesh in the plane.
+struct BlockPicture
+{
+  std::string title;
+  std::vector<NamedPoint> points;
+  std::vector<BlockLine> lines;
+  std::vector<BlockOutline> blocks;
+  std::vector<std::string> regions;
+  std::vector<std::string> boundaries;
+};
+
+/// Edges with their numbers of cells and a stroke where each cell ends, points and blocks with their names,
+/// regions and boundaries in colours with a legend. A name that finds no room near its place is left out;
+/// every point, edge and block tells its name under the pointer.
+std::string draw(const BlockPicture& picture);
+
 }  // namespace blockfsi::output

@@ -6,54 +6,202 @@
 #include "linalg/communicator.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/validity.hpp"
-#include "output/vtu.hpp"
+#include "output/mesh_file.hpp"
+#include "run/picture.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
-#include <vector>
 
 namespace blockfsi::run
 {
 
-Exit make_mesh(const case_file::Case& description, const std::filesystem::path& output, bool sizes)
+const std::vector<std::pair<std::string, mesh::Target>>& conversions()
+{
+  static const std::vector<std::pair<std::string, mesh::Target>> names = {
+      {"triangles", mesh::Target::triangles},
+      {"triangles4", mesh::Target::triangles_with_centres},
+      {"quadrilaterals", mesh::Target::quadrilaterals},
+      {"tetrahedra", mesh::Target::tetrahedra},
+      {"hexahedra", mesh::Target::hexahedra}};
+  return names;
+}
+
+namespace
+{
+
+using element::Shape;
+using mesh::Target;
+
+/// Shape of the cells that a conversion makes.
+Shape made_shape(Target target)
+{
+  switch (target)
+  {
+  case Target::quadrilaterals:
+    return Shape::quadrilateral;
+  case Target::tetrahedra:
+    return Shape::tetrahedron;
+  case Target::hexahedra:
+    return Shape::hexahedron;
+  default:
+    return Shape::triangle;
+  }
+}
+
+const std::string& name_of(Target target)
+{
+  return std::find_if(conversions().begin(), conversions().end(),
+                      [=](const auto& entry) { return entry.second == target; })
+      ->first;
+}
+
+std::string plural(Shape shape)
+{
+  switch (shape)
+  {
+  case Shape::tetrahedron:
+    return "tetrahedra";
+  case Shape::hexahedron:
+    return "hexahedra";
+  default:
+    return std::string(element::name(shape)) + "s";
+  }
+}
+
+/// Shapes of cells in a mesh of the blocks; a pyramid holds tetrahedra, too.
+std::vector<Shape> shapes_of(const block::Layout& layout)
+{
+  std::vector<Shape> shapes;
+  for (const block::Block& block : layout.blocks)
+  {
+    shapes.push_back(block.shape);
+    if (block.shape == Shape::pyramid)
+      shapes.push_back(Shape::tetrahedron);
+  }
+  std::sort(shapes.begin(), shapes.end());
+  shapes.erase(std::unique(shapes.begin(), shapes.end()), shapes.end());
+  return shapes;
+}
+
+/// Throws Error unless the conversions can be done one after the other; better before a large mesh is made.
+void check_steps(const block::Layout& layout, const std::vector<Target>& steps)
+{
+  std::vector<Shape> shapes = shapes_of(layout);
+  for (const Target step : steps)
+  {
+    const Shape made = made_shape(step);
+    if (element::dimension(made) != layout.dim)
+      throw Error(fmt::format("--convert {}: the mesh is {}, where it can be converted to {}", name_of(step),
+                              layout.dim == 2 ? "plane" : "in space",
+                              layout.dim == 2 ? "triangles, triangles4 or quadrilaterals"
+                                              : "tetrahedra or hexahedra"));
+    if (made == Shape::hexahedron && std::find(shapes.begin(), shapes.end(), Shape::pyramid) != shapes.end())
+      throw Error("--convert hexahedra: no pyramid can be cut into hexahedra, but its tetrahedra can: "
+                  "--convert tetrahedra,hexahedra");
+    shapes = {made};
+  }
+}
+
+/// Order of the cells that are cut.
+int order_before(const block::Layout& layout, const std::vector<Target>& steps, int order)
+{
+  const std::vector<Shape> shapes = shapes_of(layout);
+  const bool places_nodes = std::any_of(
+      steps.begin(), steps.end(),
+      [&](Target step)
+      {
+        const Shape made = made_shape(step);
+        const bool halves_edges = made == Shape::quadrilateral || made == Shape::hexahedron;
+        // Tetrahedra bring diagonals of sides; triangles only what lies inside of cells.
+        return made != Shape::triangle && (halves_edges || order > 1) && shapes != std::vector<Shape>{made};
+      });
+  return places_nodes ? std::min(2 * order, element::largest_order) : order;
+}
+
+/// A mesh with its nodes.
+struct Made
+{
+  mesh::Mesh mesh;
+  std::vector<double> x;  ///< [m], shape (node_count, dim)
+};
+
+Made convert(Made made, const std::vector<Target>& steps, int order)
+{
+  for (std::size_t k = 0; k < steps.size(); ++k)
+  {
+    const bool is_last = k + 1 == steps.size();
+    mesh::Converted converted = mesh::convert(made.mesh, made.x, {steps[k], is_last ? order : 0, {}});
+    made = {std::move(converted.mesh), std::move(converted.x)};
+  }
+  return made;
+}
+
+std::string shape_counts(const mesh::Mesh& mesh)
+{
+  std::string text;
+  for (const mesh::CellRun& run : mesh.runs)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", run.count, plural(run.shape));
+  return text;
+}
+
+void write(const std::filesystem::path& path, const Made& made, const std::vector<mesh::Verdict>& verdicts)
+{
+  std::vector<std::int32_t> proved;
+  proved.reserve(verdicts.size());
+  for (const mesh::Verdict verdict : verdicts)
+    proved.push_back(verdict == mesh::Verdict::valid ? 1 : 0);
+  const std::vector<output::CellField> fields = {{"proved_valid", std::span<const std::int32_t>(proved)}};
+  output::write_mesh(path, made.mesh, made.x, {}, fields);
+  fmt::print("written: {}\n", path.string());
+}
+
+}  // namespace
+
+Exit make_mesh(const case_file::Case& description, const MeshOptions& options)
 {
   if (linalg::part().size > 1)
     throw Error("blockfsi mesh works with one process; leave out mpirun");
-  const auto start = std::chrono::steady_clock::now();
-  const block::Skeleton skeleton = block::make_skeleton(description.layout);
-  const block::Connected connected = block::connect(description.layout, skeleton, "", Part{});
-  const mesh::Mesh& mesh = connected.mesh;
-  const std::vector<double> x = block::initial_nodes(connected, skeleton);
-  const std::chrono::duration<double> made = std::chrono::steady_clock::now() - start;
+  if (!options.output.empty())
+    output::check_mesh_path(options.output);
+  if (!options.picture.empty())
+    check_picture_path(options.picture, description.layout.dim);
+  check_steps(description.layout, options.steps);
+  block::Layout layout = description.layout;
+  const int order = options.order > 0 ? options.order : layout.order;
+  layout.order = order_before(layout, options.steps, order);
 
-  const mesh::Quality quality = mesh::measure(mesh::QualityTables(mesh), mesh, x);
+  const auto start = std::chrono::steady_clock::now();
+  const block::Skeleton skeleton = block::make_skeleton(layout);
+  if (!options.picture.empty())
+    draw_blocks(options.picture, layout, skeleton,
+                description.title.empty() ? description.path.filename().string() : description.title);
+  block::Connected connected = block::connect(layout, skeleton, "", Part{});
+  std::vector<double> x = block::initial_nodes(connected, skeleton);
+  const Made made = convert({std::move(connected.mesh), std::move(x)}, options.steps, order);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+
+  const mesh::Mesh& mesh = made.mesh;
+  const mesh::Quality quality = mesh::measure(mesh::QualityTables(mesh), mesh, made.x);
   std::vector<mesh::Verdict> verdicts(mesh.cell_count());
-  const mesh::Validity validity = mesh::certify(mesh::ValidityTables(mesh), mesh, x, verdicts);
-  fmt::print("{} blocks, {} cells of order {}, {} nodes, made in {:.3f} s\n",
-             description.layout.blocks.size(), mesh.cell_count(), mesh.order, mesh.node_count(),
-             made.count());
+  const mesh::Validity validity = mesh::certify(mesh::ValidityTables(mesh), mesh, made.x, verdicts);
+  fmt::print("{} blocks, {} cells of order {} ({}), {} nodes, made in {:.3f} s\n", layout.blocks.size(),
+             mesh.cell_count(), mesh.order, shape_counts(mesh), mesh.node_count(), taken.count());
   fmt::print("scaled Jacobian at least {:.3f}, angles from {:.1f} to {:.1f} degrees; worst in {}\n",
              quality.scaled_jacobian, quality.smallest_angle, quality.largest_angle,
-             quality.block >= 0 ? description.layout.blocks[quality.block].name : std::string("no block"));
+             quality.block >= 0 ? layout.blocks[quality.block].name : std::string("no block"));
   fmt::print("proved valid: {} of {} cells\n", validity.valid, mesh.cell_count());
-  if (sizes)
+  if (options.sizes)
     fmt::print("{}", block::table(block::cell_sizes(skeleton)));
-  if (!output.empty())
-  {
-    std::vector<std::int32_t> proved;
-    proved.reserve(verdicts.size());
-    for (const mesh::Verdict verdict : verdicts)
-      proved.push_back(verdict == mesh::Verdict::valid ? 1 : 0);
-    const std::vector<output::CellField> cells = {{"block", std::span(mesh.cell_block)},
-                                                  {"proved_valid", std::span<const std::int32_t>(proved)}};
-    output::write_vtu(output, mesh, x, {}, cells);
-    fmt::print("written: {}\n", output.string());
-  }
+  if (!options.picture.empty())
+    fmt::print("written: {}\n", options.picture.string());
+  if (!options.output.empty())
+    write(options.output, made, verdicts);
   if (validity.all_valid())
     return Exit::done;
   fmt::print(stderr, "blockfsi: cell {} of {} is not proved valid\n", validity.cell,
-             description.layout.blocks[validity.block].name);
+             layout.blocks[validity.block].name);
   return Exit::failed;
 }
 

@@ -1,17 +1,36 @@
 #pragma once
 
 #include "case/case.hpp"
+#include "mesh/convert.hpp"
 #include "run/run.hpp"
 
 #include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace blockfsi::run
 {
 
-/// Makes the mesh of all blocks of a case, writes it to a .vtu file (empty: none) and prints counts, quality
-/// and certified validity; with `sizes` also those of the cells along every edge. Exit::failed if a cell is
-/// not proved valid.
-[[nodiscard]] Exit make_mesh(const case_file::Case& description, const std::filesystem::path& output,
-                             bool sizes = false);
+/// What `blockfsi mesh` shall do.
+struct MeshOptions
+{
+  std::filesystem::path output;     ///< .vtu or .msh file to write; empty: none
+  std::filesystem::path picture;    ///< of the blocks, see `draw_blocks`; empty: none
+  std::vector<mesh::Target> steps;  ///< conversions, one after the other
+  int order = 0;                    ///< of the cells in the end; 0: that of the case
+  bool sizes = false;               ///< list the cells along every edge of the blocks
+};
+
+/// Conversions by their names on the command line.
+const std::vector<std::pair<std::string, mesh::Target>>& conversions();
+
+/// Makes the mesh of all blocks of a case, draws the blocks, converts the mesh, writes it and prints counts,
+/// quality and certified validity. The blocks are meshed with cells of the order asked for; if cells are then
+/// cut so that new nodes come to lie on curved edges or sides, of twice the order (8 at most), which puts
+/// these nodes onto the geometry but for the error of that order. Exit::failed if a cell is not proved valid.
+/// Throws Error for conversions that the shapes of the blocks do not allow.
+[[nodiscard]] Exit make_mesh(const case_file::Case& description, const MeshOptions& options);
 
 }  // namespace blockfsi::run

@@ -1,9 +1,83 @@
 """The commands that solve nothing: check, mesh and describe."""
+import base64
+import math
 import re
 import shutil
+import struct
+import zlib
 
 import support
 from support import USER_ERROR, RunTest, arguments
+
+# A cube with a pyramid on top, a prism beside it and a tetrahedron below that.
+HOUSE = """
+[blocks]
+dim = 3
+order = 2
+divide = 2
+
+[blocks.points]
+a = [0, 0, 0]
+b = [1, 0, 0]
+c = [1, 1, 0]
+d = [0, 1, 0]
+e = [0, 0, 1]
+f = [1, 0, 1]
+g = [1, 1, 1]
+h = [0, 1, 1]
+top = [0.5, 0.5, 2]
+side = [2, 0.5, 0]
+upper = [2, 0.5, 1]
+below = [1.3, 0.5, -1]
+
+[blocks.hexes]
+cube = { corners = ["a", "b", "c", "d", "e", "f", "g", "h"], region = "house" }
+
+[blocks.pyramids]
+roof = { corners = ["e", "f", "g", "h", "top"], region = "roof" }
+
+[blocks.prisms]
+wing = { corners = ["b", "side", "c", "f", "upper", "g"], region = "house" }
+
+[blocks.tets]
+cellar = { corners = ["b", "c", "side", "below"], region = "house" }
+
+[boundaries]
+ground = "z < 1e-9"
+outside = "x = 0 or y = 0 or y = 1 or z >= 1 or 2 * y = x - 1 or 2 * y = 3 - x"
+"""
+
+# A quarter of a circle as one triangle.
+SLICE = """
+[blocks]
+order = 2
+divide = 2
+
+[blocks.points]
+centre = [0, 0]
+east = [1, 0]
+north = [0, 1]
+
+[blocks.triangles]
+slice = { corners = ["centre", "east", "north"], region = "cake" }
+
+[blocks.edges]
+"east - north" = { circle = { center = [0, 0] } }
+
+[boundaries]
+rim = "x + y > 0.9"
+cuts = "x = 0 or y = 0"
+"""
+
+
+def points(path):
+    """Coordinates of the points of a small .vtu file."""
+    data = re.search(r'Name="Points"[^>]*>\s*(\S+)', path.read_text()).group(1)
+    blocks, size, rest, packed = struct.unpack("<4Q", base64.b64decode(data[:44]))
+    assert blocks == 1, path
+    values = zlib.decompress(base64.b64decode(data[44:]))
+    return list(struct.iter_unpack("<3d", values))
+
 
 class Check(RunTest):
     def test_no_mistake_is_found_in_the_cases_and_nothing_is_written(self):
@@ -57,6 +131,112 @@ class Mesh(RunTest):
         (self.folder / "file").touch()
         self.assertIn("choose another folder",
                       self.call("mesh", self.case, "-o", "file/mesh.vtu", code=USER_ERROR).stderr)
+
+
+class Convert(RunTest):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "house.toml").write_text(HOUSE)
+        (self.folder / "slice.toml").write_text(SLICE)
+
+    def cells(self, *words):
+        """Cells by shape, all proved valid."""
+        output = self.call("mesh", *words).stdout
+        total, listed = re.search(r"(\d+) cells of order \d \(([^)]*)\)", output).groups()
+        self.assertIn(f"proved valid: {total} of {total} cells", output)
+        return {name: int(count) for count, name in (entry.split() for entry in listed.split(", "))}
+
+    def test_blocks_of_all_shapes_make_one_mesh(self):
+        self.assertEqual(self.cells("house.toml"), {"hexahedra": 8, "tetrahedra": 8 + 4, "prisms": 8, "pyramids": 6})
+
+    def test_cells_in_space_are_cut_into_tetrahedra_and_those_into_hexahedra(self):
+        for order in (1, 3):
+            tetrahedra = self.cells("house.toml", "--convert", "tetrahedra", "--order", order)["tetrahedra"]
+            self.assertGreaterEqual(tetrahedra, 8 * 5 + 12 + 8 * 3 + 6 * 2)
+            self.assertLessEqual(tetrahedra, 8 * 6 + 12 + 8 * 3 + 6 * 2)
+            self.assertEqual(self.cells("house.toml", "--convert", "tetrahedra,hexahedra", "--order", order),
+                             {"hexahedra": 4 * tetrahedra})
+
+    def test_cells_in_the_plane_are_cut_into_triangles_and_quadrilaterals(self):
+        case = support.CASES / "wall-ramm-flap/case.toml"
+        coarse = ["--set", "blocks.order=1"]
+        quadrilaterals = self.cells(case, *coarse)["quadrilaterals"]
+        for name, expected in (("triangles", {"triangles": 2 * quadrilaterals}),
+                               ("triangles4", {"triangles": 4 * quadrilaterals}),
+                               ("quadrilaterals", {"quadrilaterals": quadrilaterals}),
+                               ("triangles,quadrilaterals", {"quadrilaterals": 6 * quadrilaterals})):
+            self.assertEqual(self.cells(case, *coarse, "--convert", name), expected)
+
+    def test_order_makes_cells_of_that_order_on_the_geometry(self):
+        for order in (1, 2, 5):
+            output = self.call("mesh", "slice.toml", "--order", order, "-o", "slice.vtu").stdout
+            self.assertIn(f"4 cells of order {order} (4 triangles)", output)
+            rim = [math.hypot(x, y) for x, y, _ in points(self.folder / "slice.vtu") if math.hypot(x, y) > 0.9]
+            self.assertGreaterEqual(len(rim), 2 * order + 1)
+            # Equispaced points of a polynomial arc of 45 degrees.
+            off = max(abs(r - 1.0) for r in rim if r > 0.999)
+            self.assertLess(off, {1: 1e-14, 2: 1e-14, 5: 1e-6}[order])
+
+    def test_nodes_of_cut_edges_lie_on_the_geometry(self):
+        self.assertEqual(self.cells("slice.toml", "--convert", "quadrilaterals", "-o", "slice.vtu"),
+                         {"quadrilaterals": 12})
+        rim = [math.hypot(x, y) for x, y, _ in points(self.folder / "slice.vtu") if math.hypot(x, y) > 0.995]
+        self.assertEqual(len(rim), 9)  # 4 edges of order 2
+        # Nodes of a polynomial of order 2 would be off by 5e-4.
+        self.assertLess(max(abs(r - 1.0) for r in rim), 1e-6)
+
+    def test_gmsh_files_name_regions_and_boundaries(self):
+        self.assertIn("written: house.msh", self.call("mesh", "house.toml", "-o", "house.msh").stdout)
+        content = (self.folder / "house.msh").read_bytes()
+        self.assertTrue(content.startswith(b"$MeshFormat\n4.1 1 8\n"), content[:40])
+        for name in (b'3 1 "house"', b'3 2 "roof"', b'"ground"', b'"outside"'):
+            self.assertIn(name, content)
+
+    def test_what_cannot_be_is_told_before_anything_is_made(self):
+        flap = support.CASES / "wall-ramm-flap/case.toml"
+        for words, told in (
+            (["house.toml", "--convert", "triangles4"], "--convert triangles4: the mesh is in space, where it can be "
+             "converted to tetrahedra or hexahedra"),
+            ([flap, "--convert", "tetrahedra"], "--convert tetrahedra: the mesh is plane, where it can be converted "
+             "to triangles, triangles4 or quadrilaterals"),
+            (["house.toml", "--convert", "hexahedra"], "--convert tetrahedra,hexahedra"),
+            (["house.toml", "--convert", "cubes"], "cubes not in {triangles,triangles4,quadrilaterals,tetrahedra,"
+             "hexahedra}"),
+            (["house.toml", "--order", "9"], "9 not in range"),
+            (["house.toml", "-o", "house.stl"], "'house.stl' must end in .vtu (VTK, ParaView) or .msh (Gmsh)"),
+        ):
+            with self.subTest(words):
+                result = self.call("mesh", *words, code=USER_ERROR)
+                self.assertIn(told, result.stderr)
+                self.assertEqual(result.stdout, "")
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["house.toml", "slice.toml"])
+
+
+class Picture(RunTest):
+    def test_blocks_in_the_plane_are_drawn_with_names_and_numbers_of_cells(self):
+        case = support.CASES / "turek-hron-fsi1/case.toml"
+        output = self.call("mesh", case, "--picture", "blocks.svg", "--sizes").stdout
+        self.assertIn("written: blocks.svg", output)
+        text = (self.folder / "blocks.svg").read_text()
+        edges = output[output.index("edge "):].splitlines()[1:]
+        told = re.findall(r"<title>([^<]* - [^<]*): (\d+) cells?", text)
+        rows = [re.match(r"(.*?) {2,}(\d+) ", row).groups() for row in edges if re.match(r".* - ", row)]
+        self.assertGreater(len(rows), 20)
+        self.assertEqual(sorted(told), sorted(rows))
+        for name in ("fluid", "flag", "walls", "inlet", "outlet", "cylinder"):
+            self.assertTrue(f">{name}</text>" in text, name)
+
+    def test_edges_of_blocks_in_space_are_written_as_curves(self):
+        (self.folder / "house.toml").write_text(HOUSE)
+        self.call("mesh", "house.toml", "--picture", "edges.vtu")
+        text = (self.folder / "edges.vtu").read_text()
+        for told in ('NumberOfCells="24"', 'Name="divisions"', 'Name="boundary"', 'Name="blocks"'):
+            self.assertTrue(told in text, told)
+
+    def test_the_name_of_a_picture_must_fit_the_dimension(self):
+        (self.folder / "house.toml").write_text(HOUSE)
+        told = self.call("mesh", "house.toml", "--picture", "edges.svg", code=USER_ERROR).stderr
+        self.assertIn("the picture 'edges.svg' of blocks in space must end in .vtu", told)
 
 
 class Describe(RunTest):

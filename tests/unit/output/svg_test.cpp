@@ -1,14 +1,17 @@
 #include "output/svg.hpp"
 
 #include "../mesh/structured.hpp"
+#include "element/line.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stack>
 #include <string>
+#include <vector>
 
 using namespace blockfsi;
 
@@ -170,4 +173,93 @@ TEST_CASE("an edge of order 3 is drawn exactly")
   const std::string text = output::draw(panels, {{0.0, 0.0}, {2.0, 2.0}}, 1, "cubic");
   // One panel is 876 wide: 4380 units per metre, the first edge from the lower left corner.
   CHECK(text.find("M0 8760c1460 0 2920 0 4380-4380") != std::string::npos);
+}
+
+namespace
+{
+
+/// A block of which one side, a quarter of a circle of radius 10, lies on the boundary "rim".
+output::BlockPicture sector()
+{
+  output::BlockPicture picture;
+  picture.title = "a & b";
+  picture.points = {{"centre", {0.0, 0.0}}, {"east", {10.0, 0.0}}, {"north", {0.0, 10.0}}};
+  const auto straight = [](std::array<double, 2> a, std::array<double, 2> b)
+  {
+    std::vector<std::array<double, 2>> x;
+    for (const double t : element::lobatto(3))
+      x.push_back({a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])});
+    return x;
+  };
+  std::vector<std::array<double, 2>> arc;
+  for (int piece = 0; piece < 2; ++piece)
+    for (const double t : element::lobatto(3))
+      if (piece == 0 || t > 0.0)
+      {
+        const double angle = 0.25 * std::acos(-1.0) * (piece + t);
+        arc.push_back({10.0 * std::cos(angle), 10.0 * std::sin(angle)});
+      }
+  arc.front() = {10.0, 0.0};
+  arc.back() = {0.0, 10.0};
+  picture.lines = {{"centre - east", 2, -1, 1, straight({0, 0}, {10, 0}), {{5.0, 0.0}}},
+                   {"east - north", 7, 0, 2, arc, {}},
+                   {"centre - north", 1, -1, 1, straight({0, 0}, {0, 10}), {}}};
+  picture.blocks = {{"slice", 0, {0, 1, 2}}};
+  picture.regions = {"fluid"};
+  picture.boundaries = {"rim"};
+  return picture;
+}
+
+}  // namespace
+
+TEST_CASE("a picture of blocks names points, blocks, regions and boundaries and counts cells")
+{
+  const std::string text = output::draw(sector());
+  CHECK(is_well_formed(text));
+  CHECK(text.find("<title>a &amp; b</title>") != std::string::npos);
+  CHECK(text.find("prefers-color-scheme:dark") != std::string::npos);
+  for (const char* name : {"centre", "east", "north", "slice", "fluid", "rim", "2", "7", "1"})
+    CHECK_MESSAGE(text.find(std::string(">") + name + "</text>") != std::string::npos, name);
+  CHECK(count(text, "class=\"point\"") == 3);
+  CHECK(count(text, "class=\"between\"") == 2);
+  CHECK(text.find("<title>east - north: 7 cells, rim</title>") != std::string::npos);
+  CHECK(text.find("<title>centre - north: 1 cell</title>") != std::string::npos);
+  CHECK(text.find("<title>slice (fluid)</title>") != std::string::npos);
+  // One stroke where two cells meet.
+  const std::size_t ends = text.find("class=\"ends\" d=\"");
+  REQUIRE(ends != std::string::npos);
+  CHECK(count(text.substr(ends, text.find('>', ends) - ends), "M") == 1);
+}
+
+TEST_CASE("edges of blocks are drawn as the curves that they are")
+{
+  const std::string text = output::draw(sector());
+  const std::size_t arc = text.find("class=\"boundary c0\" d=\"");
+  REQUIRE(arc != std::string::npos);
+  const std::size_t pieces = text.find(" d=\"", arc) + 4;
+  CHECK(count(text.substr(pieces, text.find('"', pieces) - pieces), "c") == 2);
+  const std::size_t straight = text.find("class=\"between\" d=\"");
+  REQUIRE(straight != std::string::npos);
+  const std::size_t data = text.find(" d=\"", straight) + 4;
+  const std::string line = text.substr(data, text.find('"', data) - data);
+  CHECK(count(line, "l") == 1);
+  CHECK(count(line, "c") == 0);
+}
+
+TEST_CASE("names of points that lie close together do not cover each other")
+{
+  output::BlockPicture picture = sector();
+  for (int k = 0; k < 4; ++k)
+    picture.points.push_back({"near " + std::to_string(k), {9.7, 0.2 * k}});
+  const std::string text = output::draw(picture);
+  std::vector<std::array<double, 2>> places;
+  for (std::size_t at = text.find("<text class=\"name\""); at != std::string::npos;
+       at = text.find("<text class=\"name\"", at + 1))
+    places.push_back({std::stod(text.substr(text.find("x=\"", at) + 3)),
+                      std::stod(text.substr(text.find("y=\"", at) + 3))});
+  CHECK(places.size() == 7);
+  for (std::size_t a = 0; a < places.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      // Names of four letters or more in letters 12 pixels high.
+      CHECK((std::abs(places[a][1] - places[b][1]) > 10.0 || std::abs(places[a][0] - places[b][0]) > 25.0));
 }
