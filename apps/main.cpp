@@ -1,11 +1,12 @@
+#include "mesh_options.hpp"
+
 #include "case/case.hpp"
 #include "case/describe.hpp"
-#include "element/nodes.hpp"
+#include "core/error.hpp"
 #include "linalg/communicator.hpp"
 #include "linalg/session.hpp"
 #include "run/compare.hpp"
 #include "run/failure.hpp"
-#include "run/mesh.hpp"
 #include "run/reference.hpp"
 #include "run/run.hpp"
 #include "run/verify.hpp"
@@ -26,12 +27,10 @@ using blockfsi::run::Exit;
 
 struct Arguments
 {
-  std::string case_path;
-  std::vector<std::string> overrides;
+  blockfsi::CaseArguments of;
   std::string directory;
   bool restart = false;
-  blockfsi::run::MeshOptions mesh;
-  std::vector<std::string> conversions;
+  blockfsi::MeshArguments mesh;
   std::string level = "full";
   bool finished = false;
   std::vector<std::string> motions;
@@ -41,7 +40,7 @@ struct Arguments
 
 blockfsi::case_file::Case read(const Arguments& arguments)
 {
-  return blockfsi::case_file::read(arguments.case_path, arguments.overrides);
+  return blockfsi::case_file::read(arguments.of.path, arguments.of.overrides);
 }
 
 Exit run(const Arguments& arguments)
@@ -56,8 +55,8 @@ Exit compare(const Arguments& arguments)
   const blockfsi::run::CompareOptions options{arguments.motions, arguments.directory, arguments.times};
   blockfsi::linalg::add_options(read(arguments).petsc_options);
   return arguments.prescribed
-             ? blockfsi::run::compare_prescribed(arguments.case_path, arguments.overrides, options)
-             : blockfsi::run::compare_runs(arguments.case_path, arguments.overrides, options);
+             ? blockfsi::run::compare_prescribed(arguments.of.path, arguments.of.overrides, options)
+             : blockfsi::run::compare_runs(arguments.of.path, arguments.of.overrides, options);
 }
 
 Exit check(const Arguments& arguments)
@@ -70,12 +69,9 @@ Exit check(const Arguments& arguments)
 
 Exit mesh(const Arguments& arguments)
 {
-  blockfsi::run::MeshOptions options = arguments.mesh;
-  for (const std::string& name : arguments.conversions)
-    for (const auto& [known, target] : blockfsi::run::conversions())
-      if (name == known)
-        options.steps.push_back(target);
-  return blockfsi::run::make_mesh(read(arguments), options);
+  if (blockfsi::linalg::part().size > 1)
+    throw blockfsi::Error("blockfsi mesh works with one process; leave out mpirun");
+  return blockfsi::make_case_mesh(arguments.of, arguments.mesh);
 }
 
 /// Runs the case unless its finished output is to be taken, and compares it with the references beside it.
@@ -101,35 +97,6 @@ Exit verify(const Arguments& arguments)
   return blockfsi::run::all_ok(comparisons) ? Exit::done : Exit::missed;
 }
 
-void add_case(CLI::App& command, Arguments& arguments)
-{
-  command.add_option("case", arguments.case_path, "case file (TOML)")->required();
-  command.add_option("--set", arguments.overrides, "replace a value of the case: section.key=value (TOML)")
-      ->allow_extra_args(false);
-}
-
-void add_mesh_options(CLI::App& command, Arguments& arguments)
-{
-  add_case(command, arguments);
-  command.add_option("-o,--output", arguments.mesh.output,
-                     "file to write: .vtu (VTK, ParaView) or .msh (Gmsh)");
-  std::vector<std::string> names;
-  for (const auto& [name, target] : blockfsi::run::conversions())
-    names.push_back(name);
-  command
-      .add_option("--convert", arguments.conversions,
-                  "cut all cells into triangles (2 of a quadrilateral; triangles4: 4), quadrilaterals, "
-                  "tetrahedra or hexahedra; several with commas between: one after the other")
-      ->check(CLI::IsMember(names))
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command.add_option("--order", arguments.mesh.order, "order of the cells instead of the case's")
-      ->check(CLI::Range(1, blockfsi::element::largest_order));
-  command.add_option("--picture", arguments.mesh.picture,
-                     "draw the blocks: .svg in the plane; in space .vtu, their edges");
-  command.add_flag("--sizes", arguments.mesh.sizes, "list the cells along every edge of the blocks");
-}
-
 Exit dispatch(int count, char** values)
 {
   CLI::App app("blockfsi: fluid-structure interaction with the mesh generator inside the solver");
@@ -137,13 +104,13 @@ Exit dispatch(int count, char** values)
   Arguments arguments;
 
   CLI::App* run_command = app.add_subcommand("run", "run a case");
-  add_case(*run_command, arguments);
+  blockfsi::add_case(*run_command, arguments.of);
   run_command->add_option("--directory", arguments.directory, "folder of the results");
   run_command->add_flag("--restart", arguments.restart, "continue from the newest checkpoint");
 
   CLI::App* compare_command =
       app.add_subcommand("compare", "run a case with several ways of moving its mesh, side by side");
-  add_case(*compare_command, arguments);
+  blockfsi::add_case(*compare_command, arguments.of);
   compare_command
       ->add_option("--motion", arguments.motions,
                    "names with commas between: keys of [motion], NAMEs of [compare.NAME], fixed, incremental")
@@ -158,14 +125,15 @@ Exit dispatch(int count, char** values)
                             "without a fluid: bend the flap of section [prescribed]");
 
   CLI::App* check_command = app.add_subcommand("check", "find the mistakes of a case without solving");
-  add_case(*check_command, arguments);
+  blockfsi::add_case(*check_command, arguments.of);
 
   CLI::App* mesh_command = app.add_subcommand("mesh", "make the mesh of a case and report its quality");
-  add_mesh_options(*mesh_command, arguments);
+  blockfsi::add_case(*mesh_command, arguments.of);
+  blockfsi::add_mesh_options(*mesh_command, arguments.mesh);
 
   CLI::App* verify_command =
       app.add_subcommand("verify", "run a case and compare it with the reference.csv beside it");
-  add_case(*verify_command, arguments);
+  blockfsi::add_case(*verify_command, arguments.of);
   verify_command->add_option("--directory", arguments.directory, "folder of the results");
   verify_command->add_option("--level", arguments.level, "references of the full or the short form")
       ->check(CLI::IsMember({"full", "short"}));

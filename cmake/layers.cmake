@@ -19,6 +19,9 @@ if(BLOCKFSI_SANITIZE)
   target_link_options(blockfsi_options INTERFACE -fsanitize=${BLOCKFSI_SANITIZE})
 endif()
 
+# Those that call PETSc or stand on one that does.
+set(layers_of_solvers linalg fem fluid solid motion coupling run)
+
 # External libraries per layer.
 set(needs_core fmt::fmt)
 set(needs_element Eigen3::Eigen)
@@ -28,6 +31,9 @@ set(needs_output ZLIB::ZLIB EXPAT::EXPAT)
 set(needs_linalg PkgConfig::PETSC MPI::MPI_C)
 set(needs_case PkgConfig::TOMLPLUSPLUS)
 
+# What a layer includes but does not call: the parameters of solvers are headers, so that cases are read without.
+set(headers_only_case linalg fem fluid solid motion coupling)
+
 file(STRINGS ${PROJECT_SOURCE_DIR}/layers.txt lines REGEX "^[a-z]+:")
 set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS layers.txt)
 foreach(line ${lines})
@@ -35,14 +41,14 @@ foreach(line ${lines})
   string(REGEX REPLACE "^[a-z]+:" "" uses "${line}")
   separate_arguments(uses)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${layer}/*.cpp)
-  if(NOT sources)
+  if(NOT sources OR (layer IN_LIST layers_of_solvers AND NOT BLOCKFSI_SOLVERS))
     continue()
   endif()
   add_library(blockfsi_${layer} STATIC ${sources})
   target_link_libraries(blockfsi_${layer} PRIVATE blockfsi_options)
   target_include_directories(blockfsi_${layer} PUBLIC ${PROJECT_SOURCE_DIR}/src)
   foreach(used ${uses})
-    if(TARGET blockfsi_${used})
+    if(TARGET blockfsi_${used} AND NOT used IN_LIST headers_only_${layer})
       target_link_libraries(blockfsi_${layer} PUBLIC blockfsi_${used})
     endif()
   endforeach()

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "case/case.hpp"
+#include "command/exit.hpp"
 #include "core/timing.hpp"
 
 #include <cstdint>
@@ -11,16 +12,7 @@
 namespace blockfsi::run
 {
 
-/// How a command ends; the exit code of the program.
-enum class Exit
-{
-  done = 0,
-  missed = 1,  ///< verify: a quantity misses its reference
-  user_error = 2,
-  failed = 3,  ///< the numbers did not work out; the last good state is written
-  internal_error = 70,
-  interrupted = 130  ///< by SIGINT or SIGTERM; a checkpoint is written
-};
+using command::Exit;
 
 struct RunOptions
 {

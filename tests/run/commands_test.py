@@ -4,7 +4,9 @@ import math
 import re
 import shutil
 import struct
+import subprocess
 import zlib
+from pathlib import Path
 
 import support
 from support import USER_ERROR, RunTest, arguments
@@ -210,6 +212,40 @@ class Convert(RunTest):
                 self.assertIn(told, result.stderr)
                 self.assertEqual(result.stdout, "")
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["house.toml", "slice.toml"])
+
+
+class MeshProgram(RunTest):
+    """blockfsi-mesh, beside blockfsi."""
+
+    def setUp(self):
+        super().setUp()
+        self.program = Path(support.PROGRAM).with_name("blockfsi-mesh")
+        (self.folder / "house.toml").write_text(HOUSE)
+
+    def make(self, *words):
+        return subprocess.run([self.program, *words], cwd=self.folder, capture_output=True, text=True, timeout=60)
+
+    def test_it_makes_the_same_files_and_tells_the_same(self):
+        told = self.call("mesh", "house.toml", "-o", "a.vtu", "--order", "3", "--picture", "b.vtu").stdout
+        files = {name: (self.folder / name).read_bytes() for name in ("a.vtu", "b.vtu")}
+        result = self.make("house.toml", "-o", "a.vtu", "--order", "3", "--picture", "b.vtu")
+        self.assertEqual(result.returncode, support.DONE, result.stderr)
+        without_time = [re.sub(r"made in .* s", "", text) for text in (told, result.stdout)]
+        self.assertEqual(*without_time)
+        for name, content in files.items():
+            self.assertTrue((self.folder / name).read_bytes() == content, name)
+
+    def test_mistakes_have_the_same_code(self):
+        for words in (["missing.toml"], ["house.toml", "--convert", "triangles"], []):
+            result = self.make(*words)
+            self.assertEqual(result.returncode, USER_ERROR, result.stderr)
+            self.assertEqual(result.stdout, "")
+        self.assertEqual(self.make("--help").returncode, support.DONE)
+
+    def test_it_knows_neither_petsc_nor_mpi(self):
+        libraries = subprocess.run(["ldd", self.program], capture_output=True, text=True, check=True).stdout
+        self.assertIn("libc.so", libraries)
+        self.assertIsNone(re.search("petsc|libmpi", libraries), libraries)
 
 
 class Picture(RunTest):

@@ -1,4 +1,4 @@
-#include "run/picture.hpp"
+#include "command/picture.hpp"
 
 #include "block/edge_lines.hpp"
 #include "core/error.hpp"
@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace blockfsi::run
+namespace blockfsi::command
 {
 
 namespace
@@ -124,4 +124,4 @@ void draw_blocks(const std::filesystem::path& path, const block::Layout& layout,
     write_lines(path, skeleton, lines);
 }
 
-}  // namespace blockfsi::run
+}  // namespace blockfsi::command

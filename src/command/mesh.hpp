@@ -1,8 +1,8 @@
 #pragma once
 
 #include "case/case.hpp"
+#include "command/exit.hpp"
 #include "mesh/convert.hpp"
-#include "run/run.hpp"
 
 #include <filesystem>
 #include <string>
@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace blockfsi::run
+namespace blockfsi::command
 {
 
 /// What `blockfsi mesh` shall do.
@@ -33,4 +33,4 @@ const std::vector<std::pair<std::string, mesh::Target>>& conversions();
 /// Throws Error for conversions that the shapes of the blocks do not allow.
 [[nodiscard]] Exit make_mesh(const case_file::Case& description, const MeshOptions& options);
 
-}  // namespace blockfsi::run
+}  // namespace blockfsi::command

@@ -1,20 +1,19 @@
-#include "run/mesh.hpp"
+#include "command/mesh.hpp"
 
 #include "block/cell_sizes.hpp"
 #include "block/connect.hpp"
 #include "block/place.hpp"
-#include "linalg/communicator.hpp"
+#include "command/picture.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/validity.hpp"
 #include "output/mesh_file.hpp"
-#include "run/picture.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 
-namespace blockfsi::run
+namespace blockfsi::command
 {
 
 const std::vector<std::pair<std::string, mesh::Target>>& conversions()
@@ -161,8 +160,6 @@ void write(const std::filesystem::path& path, const Made& made, const std::vecto
 
 Exit make_mesh(const case_file::Case& description, const MeshOptions& options)
 {
-  if (linalg::part().size > 1)
-    throw Error("blockfsi mesh works with one process; leave out mpirun");
   if (!options.output.empty())
     output::check_mesh_path(options.output);
   if (!options.picture.empty())
@@ -205,4 +202,4 @@ Exit make_mesh(const case_file::Case& description, const MeshOptions& options)
   return Exit::failed;
 }
 
-}  // namespace blockfsi::run
+}  // namespace blockfsi::command

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-namespace blockfsi::run
+namespace blockfsi::command
 {
 
 /// Throws Error unless the name of a picture ends as the dimension of the blocks needs: .svg in the plane,
@@ -19,4 +19,4 @@ void check_picture_path(const std::filesystem::path& path, int dim);
 void draw_blocks(const std::filesystem::path& path, const block::Layout& layout,
                  const block::Skeleton& skeleton, const std::string& title);
 
-}  // namespace blockfsi::run
+}  // namespace blockfsi::command
