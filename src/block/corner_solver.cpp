@@ -1,6 +1,7 @@
 #include "block/corner_solver.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -17,14 +18,20 @@ constexpr double sufficient = 1e-4;
 constexpr int max_backtracks = 30;
 /// Predicted decreases below this share of the energy drown in its rounding errors.
 constexpr double rounding = 1e-13;
+/// Below this share it is near to a stationary point.
+constexpr double nearness = 1e-3;
+/// Least curvature that is divided by, relative to the greatest.
+constexpr double flat = 1e-10;
+/// Steps along negative curvature that rounding may bring about, in tolerances.
+constexpr double ridge = 1e4;
 
 /// The energy as a function of the unknowns, for one place of the interface.
 template <int dim>
 class Landscape
 {
 public:
-  Landscape(const CornerEnergy<dim>& energy, std::span<const double> d)
-      : energy_(energy), d_(d), U_(energy.graph().corners.size() * dim)
+  Landscape(const CornerEnergy<dim>& energy, std::span<const double> d, double longest)
+      : energy_(energy), d_(d), U_(energy.graph().corners.size() * dim), ridge_(longest)
   {
   }
 
@@ -34,28 +41,49 @@ public:
     return energy_.value(U_, epsilon, least);
   }
 
-  /// Newton's step; false if there is none.
-  bool step(const Eigen::VectorXd& y, double epsilon, Eigen::VectorXd& step, double& slope)
+  /// Newton's step; false if there is none. Where the Hessian is not positive, far away that of each sample
+  /// is replaced by its positive part, which is robust; near a stationary point the whole one by its absolute
+  /// value, with which the steps along its positive directions are Newton's own and converge as fast.
+  bool step(const Eigen::VectorXd& y, double epsilon, bool near, Eigen::VectorXd& step, double& slope)
   {
     displace_corners(energy_.graph(), d_.data(), y.data(), U_.data());
-    for (const bool project : {false, true})
+    energy_.derivatives(U_, epsilon, false, gradient_, hessian_);
+    factor_.compute(hessian_);
+    if (factor_.info() == Eigen::Success)
+      step = -factor_.solve(gradient_);
+    else if (near)
+      step = absolute_step();
+    else
     {
-      energy_.derivatives(U_, epsilon, project, gradient_, hessian_);
+      energy_.derivatives(U_, epsilon, true, gradient_, hessian_);
       factor_.compute(hessian_);
       if (factor_.info() != Eigen::Success)
-        continue;
+        return false;
       step = -factor_.solve(gradient_);
-      slope = gradient_.dot(step);
-      if (step.allFinite() && slope <= 0.0)
-        return true;
     }
-    return false;
+    slope = gradient_.dot(step);
+    return step.allFinite() && slope <= 0.0;
   }
 
 private:
+  /// - |H|^-1 g from the lower triangle of H. Symmetric blocks may be kept on a ridge by their symmetry;
+  /// steps down from it that are no longer than `ridge_` stem from rounding and are left out.
+  Eigen::VectorXd absolute_step() const
+  {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(hessian_);
+    Eigen::VectorXd size = eigen.eigenvalues().cwiseAbs();
+    size = size.cwiseMax(flat * size.maxCoeff());
+    Eigen::VectorXd along = (eigen.eigenvectors().transpose() * gradient_).cwiseQuotient(size);
+    for (Eigen::Index i = 0; i < along.size(); ++i)
+      if (eigen.eigenvalues()(i) < 0.0 && std::abs(along(i)) <= ridge_)
+        along(i) = 0.0;
+    return -(eigen.eigenvectors() * along);
+  }
+
   const CornerEnergy<dim>& energy_;
   std::span<const double> d_;
   std::vector<double> U_;
+  double ridge_;
   Eigen::VectorXd gradient_;
   Eigen::MatrixXd hessian_;
   Eigen::LLT<Eigen::MatrixXd> factor_;
@@ -96,16 +124,18 @@ CornerReport minimise(const CornerEnergy<dim>& energy, std::span<const double> d
                       double tolerance, int max_iterations)
 {
   CornerReport report;
-  Landscape<dim> landscape(energy, d);
+  Landscape<dim> landscape(energy, d, ridge * tolerance);
   Eigen::VectorXd step;
   report.energy = landscape.value(y, 1e-3, report.least);
   double epsilon = regularisation(report.least);
   report.energy = landscape.value(y, epsilon, report.least);
+  bool near = false;
   for (; report.iterations < max_iterations; ++report.iterations)
   {
     double slope = 0.0;
-    if (!std::isfinite(report.energy) || !landscape.step(y, epsilon, step, slope))
+    if (!std::isfinite(report.energy) || !landscape.step(y, epsilon, near, step, slope))
       return report;
+    near = -slope < nearness * report.energy;
     if (epsilon == 0.0 && step.template lpNorm<Eigen::Infinity>() <= tolerance)
     {
       report.converged = true;

@@ -106,3 +106,19 @@ TEST_CASE(
     CHECK(tethered.scaled_jacobian.at(60.0) > 0.5);
   }
 }
+
+TEST_CASE("blocks that their symmetry keeps on a ridge of the energy find their place as fast as others")
+{
+  // Sideways past 85 degrees the symmetric place is a minimum among symmetric ones only.
+  const Extrusion flap = flap_on_floor();
+  const ExtrudedBlocks blocks(flap, 4);
+  CornerMotion motion(blocks.graph, nonlinear_defaults(3));
+  std::vector<double> U(3 * blocks.graph.corners.size());
+  for (const double angle : {20.0, 40.0, 55.0, 65.0, 70.0, 75.0, 80.0, 85.0, 90.0})
+  {
+    const CornerReport report = motion.follow(body_displacement(blocks, flap, Twist::side, angle, 0.3), U);
+    CAPTURE(angle);
+    CHECK(report.converged);
+    CHECK(report.iterations <= 10);
+  }
+}
