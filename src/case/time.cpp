@@ -37,7 +37,11 @@ const Keys<TimeParameters>& time_keys()
        { p.start_up = integer(v, r.constants, 0, 1000000); }},
       {{"ringing_decay", "number", "20 steps", "s", "time in which ringing from step to step falls by e"},
        [](const Value& v, Reading& r, TimeParameters& p)
-       { p.ringing_decay = number(v, r.constants, not_negative); }}};
+       { p.ringing_decay = number(v, r.constants, not_negative); }},
+      {{"cuts", "whole number", fmt::format("{}", defaults.cuts), "",
+        "how often a step that fails, because the mesh folds or an iteration does not converge, is halved "
+        "before the run ends"},
+       [](const Value& v, Reading& r, TimeParameters& p) { p.cuts = integer(v, r.constants, 0, 20); }}};
   return keys;
 }
 

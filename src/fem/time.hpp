@@ -21,6 +21,8 @@ struct TimeParameters
   /// Time in which ringing from step to step falls by e [s]: theta = 1/2 + step / (4 ringing_decay). A fixed
   /// time keeps second order when the step is refined; 0 means 20 steps.
   double ringing_decay = 0.0;
+  /// How often a step that fails is halved before the run ends.
+  int cuts = 3;
 };
 
 /// One step from t to t + step: unknowns live at t + theta step, rates are differences over the step.

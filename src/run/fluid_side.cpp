@@ -85,6 +85,15 @@ mesh::Validity FluidSide::certify() const
   return combine(mesh::certify(validity_tables_, connected_.mesh, x_));
 }
 
+mesh::Validity FluidSide::certify_moved() const
+{
+  const Stopwatch watch(*timings_, Task::quality);
+  const mesh::Validity end = combine(mesh::certify(validity_tables_, connected_.mesh, x_new_));
+  if (!end.all_valid() || step_.geometry == 1.0)
+    return end;
+  return combine(mesh::certify(validity_tables_, connected_.mesh, x_geometry_));
+}
+
 void FluidSide::restore(fluid::State state, std::span<const double> displacement,
                         std::span<const double> mesh_memory)
 {

@@ -31,9 +31,8 @@ public:
   /// Prepares a step from the accepted state.
   void begin(const fem::TimeStep& step);
   /// Moves the mesh to a displacement of the interface at the end of the step [m], shape (interface count,
-  /// 2). Nothing may be solved on it if that failed or if a cell is folded.
+  /// 2). Nothing may be solved on it if that failed or if certify_moved does not prove all cells valid.
   [[nodiscard]] motion::Report move(std::span<const double> displacement);
-  bool is_folded() const { return quality_.scaled_jacobian <= 0.0; }
   /// Solves the flow on the mesh as it was moved.
   [[nodiscard]] linalg::NewtonReport solve();
   /// Force of the fluid on the interface nodes [N/m], shape (interface count, 2), written.
@@ -56,6 +55,8 @@ public:
   /// Quality over all processes of the mesh as last moved, and of the accepted one with proof.
   const mesh::Quality& quality() const { return quality_; }
   mesh::Validity certify() const;
+  /// Of the mesh as last moved, and of that on which integrals are taken.
+  mesh::Validity certify_moved() const;
 
   fluid::Solver& solver() { return solver_; }
   std::int64_t unknown_count() const { return solver_.unknown_count(); }

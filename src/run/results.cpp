@@ -60,7 +60,7 @@ Results::Results(const std::filesystem::path& folder, Simulation& simulation, bo
   quality_ = open(folder_ / "quality.csv",
                   {"step", "time", "scaled_jacobian", "smallest_angle", "largest_angle", "smallest_change",
                    "largest_change", "certified", "coupling_iterations", "fluid_iterations",
-                   "solid_iterations", "factorisations"},
+                   "solid_iterations", "factorisations", "pieces"},
                   resume, step);
   series_ = resume ? output::Series::resume(folder_ / "fields.pvd", simulation.time())
                    : output::Series(folder_ / "fields.pvd");
@@ -195,13 +195,13 @@ void Results::add_step(const StepReport& report)
   if (quality_)
   {
     const mesh::Quality& q = report.quality;
-    quality_->append(step, std::array<double, 11>{simulation_->time(), q.scaled_jacobian, q.smallest_angle,
-                                                  q.largest_angle, q.smallest_change, q.largest_change,
-                                                  report.certified ? 1.0 : 0.0,
-                                                  static_cast<double>(report.coupling_iterations),
-                                                  static_cast<double>(report.fluid_iterations),
-                                                  static_cast<double>(report.solid_iterations),
-                                                  static_cast<double>(report.renewals)});
+    quality_->append(step, std::array<double, 12>{
+                               simulation_->time(), q.scaled_jacobian, q.smallest_angle, q.largest_angle,
+                               q.smallest_change, q.largest_change, report.certified ? 1.0 : 0.0,
+                               static_cast<double>(report.coupling_iterations),
+                               static_cast<double>(report.fluid_iterations),
+                               static_cast<double>(report.solid_iterations),
+                               static_cast<double>(report.renewals), static_cast<double>(report.pieces)});
   }
 }
 

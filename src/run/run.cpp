@@ -4,6 +4,7 @@
 #include "run/failure.hpp"
 #include "run/interrupt.hpp"
 #include "run/progress.hpp"
+#include "run/refused.hpp"
 #include "run/results.hpp"
 #include "run/simulation.hpp"
 
@@ -127,9 +128,16 @@ Exit step_through(Simulation& simulation, Results& results, const InterruptGuard
     {
       progress.end();
       failure = report.failure;
+      std::string picture;
+      if (report.refused)
+      {
+        draw_refused(place.folder / refused_picture, simulation, *report.refused);
+        picture =
+            fmt::format("; {} shows the blocks around the cell", (place.folder / refused_picture).string());
+      }
       if (linalg::part().rank == 0)
-        fmt::print(stderr, "blockfsi: {}; the last good state (t = {:g} s) is in the results\n",
-                   report.failure, simulation.time());
+        fmt::print(stderr, "blockfsi: {}; the last good state (t = {:g} s) is in the results{}\n",
+                   report.failure, simulation.time(), picture);
       return Exit::failed;
     }
     {
@@ -137,6 +145,11 @@ Exit step_through(Simulation& simulation, Results& results, const InterruptGuard
       results.add_step(report);
       if (fields_due(simulation))
         results.add_fields();
+    }
+    if (report.pieces > 1)
+    {
+      progress.end();
+      say("step {} was done in {} pieces: {}\n", simulation.step(), report.pieces, report.failure);
     }
     progress.step(report);
     if (observer)

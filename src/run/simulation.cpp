@@ -78,19 +78,33 @@ std::string Simulation::when() const
   return fmt::format("in step {} (t = {:g} s to {:g} s)", step_ + 1, time_, time_ + case_.time.step);
 }
 
-/// The parts of the next step: one, or two backward Euler half steps at the start.
-std::vector<fem::TimeStep> Simulation::substeps() const
+/// The parts of the next step if it is cut into pieces: each is one, or two backward Euler half steps at the
+/// start.
+std::vector<fem::TimeStep> Simulation::substeps(int pieces) const
 {
   const fem::TimeParameters& time = case_.time;
-  const double dt = time.step;
   if (time.scheme == fem::Scheme::steady)
     return {{0.0, 0.0, 1.0, 1.0}};
-  if (time.scheme == fem::Scheme::backward_euler)
-    return {{time_, dt, 1.0, 1.0}};
-  if (step_ < time.start_up)
-    return {{time_, 0.5 * dt, 1.0, 1.0}, {time_ + 0.5 * dt, 0.5 * dt, 1.0, 1.0}};
-  const double decay = time.ringing_decay > 0.0 ? time.ringing_decay : default_ringing_decay * dt;
-  return {{time_, dt, std::min(1.0, 0.5 + dt / (4.0 * decay)), 0.5}};
+  const bool starts = time.scheme == fem::Scheme::crank_nicolson && step_ < time.start_up;
+  const int count = starts ? 2 * pieces : pieces;
+  const double dt = time.step / count;
+  const double decay = time.ringing_decay > 0.0 ? time.ringing_decay : default_ringing_decay * time.step;
+  const bool implicit = starts || time.scheme == fem::Scheme::backward_euler;
+  std::vector<fem::TimeStep> result;
+  for (int k = 0; k < count; ++k)
+    result.push_back(
+        {time_ + k * dt, dt, implicit ? 1.0 : std::min(1.0, 0.5 + dt / (4.0 * decay)), implicit ? 1.0 : 0.5});
+  return result;
+}
+
+bool Simulation::try_pieces(int pieces, StepReport& report)
+{
+  report.pieces = pieces;
+  report.refused.reset();
+  report.failure.clear();
+  const std::vector<fem::TimeStep> steps = substeps(pieces);
+  return std::all_of(steps.begin(), steps.end(),
+                     [&](const fem::TimeStep& step) { return substep(step, report); });
 }
 
 StepReport Simulation::advance()
@@ -98,13 +112,23 @@ StepReport Simulation::advance()
   StepReport report;
   // A part of the step that went well, factors and the accelerator's columns do not outlive its failure.
   const output::Arrays before = save();
-  for (const fem::TimeStep& step : substeps())
-    if (!substep(step, report))
+  const int cuts = case_.time.scheme == fem::Scheme::steady ? 0 : case_.time.cuts;
+  std::string failure;
+  for (int cut = 0;; ++cut)
+  {
+    if (try_pieces(1 << cut, report))
+      break;
+    failure = report.failure;
+    restore(before);
+    if (cut == cuts)
     {
       report.ok = false;
-      restore(before);
+      if (cut > 0)
+        report.failure += fmt::format(", also with the step cut into {}", report.pieces);
       return report;
     }
+  }
+  report.failure = failure;
   ++step_;
   if (case_.time.scheme != fem::Scheme::steady)
     time_ = start_time_ + static_cast<double>(step_ - start_step_) * case_.time.step;
@@ -174,15 +198,8 @@ bool Simulation::evaluate(std::span<const double> d, std::span<double> answer, S
     report.failure = fmt::format("{} {}", moved.failure, when());
     return false;
   }
-  if (fluid_->is_folded())
-  {
-    const mesh::Quality quality = fluid_->quality();
-    report.failure = fmt::format(
-        "the fluid mesh folds over {}: cell {} of {} has a scaled Jacobian of {:.3g}", when(), quality.cell,
-        quality.block >= 0 ? case_.layout.blocks[quality.block].name : std::string("?"),
-        quality.scaled_jacobian);
+  if (!accept_mesh(report))
     return false;
-  }
   if (!solve_fluid(report))
     return false;
   std::vector<double> load(answer.size());
@@ -191,6 +208,27 @@ bool Simulation::evaluate(std::span<const double> d, std::span<double> answer, S
     return false;
   solid_->displacement(answer);
   return true;
+}
+
+/// Whether the flow may be solved on the mesh as it was moved: every cell must be proved valid.
+bool Simulation::accept_mesh(StepReport& report)
+{
+  const mesh::Validity validity = fluid_->certify_moved();
+  if (validity.all_valid())
+    return true;
+  const mesh::Quality& quality = fluid_->quality();
+  const bool folded = quality.scaled_jacobian <= 0.0;
+  report.refused = {folded ? quality.cell : validity.cell,
+                    folded ? quality.block : validity.block,
+                    {fluid_->x_moved().begin(), fluid_->x_moved().end()}};
+  report.failure = fmt::format(
+      "the fluid mesh {} {}: cell {} of {} {}", folded ? "folds over" : "is not proved valid", when(),
+      report.refused->cell,
+      report.refused->block >= 0 ? case_.layout.blocks[report.refused->block].name : std::string("?"),
+      folded ? fmt::format("has a scaled Jacobian of {:.3g}", quality.scaled_jacobian)
+             : fmt::format("may fold between its nodes (least scaled Jacobian at samples {:.3g})",
+                           quality.scaled_jacobian));
+  return false;
 }
 
 bool Simulation::solve_fluid(StepReport& report)

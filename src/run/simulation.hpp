@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,13 +18,23 @@
 namespace blockfsi::run
 {
 
+/// A mesh on which nothing was solved, because one of its cells is not proved valid.
+struct RefusedMesh
+{
+  std::int64_t cell = -1;  ///< in the whole mesh
+  std::int32_t block = -1;
+  std::vector<double> x;  ///< [m], shape (node_count, 2)
+};
+
 /// How a step went. A failed step leaves the simulation as it was.
 struct StepReport
 {
   bool ok = true;
-  std::string failure;          ///< what failed, where and when
-  int coupling_iterations = 0;  ///< 0 without coupling
-  int fluid_iterations = 0;     ///< Newton iterations, all coupling iterations together
+  std::string failure;  ///< what failed last, where and when; also of a step that was cut and then went well
+  int pieces = 1;       ///< in which the step was done or tried last
+  std::optional<RefusedMesh> refused;  ///< the mesh if that is what failed last
+  int coupling_iterations = 0;         ///< 0 without coupling
+  int fluid_iterations = 0;            ///< Newton iterations, all coupling iterations together
   int solid_iterations = 0;
   int renewals = 0;       ///< factorisations
   mesh::Quality quality;  ///< of the accepted fluid mesh
@@ -43,7 +54,8 @@ public:
   double time() const { return time_; }
   bool finished() const { return step_ >= step_count(); }
 
-  /// Does the next step.
+  /// Does the next step. One that fails is tried again in two, four, ... equal pieces, as often as the case
+  /// allows.
   StepReport advance();
 
   const FluidSide* fluid() const { return fluid_.get(); }
@@ -59,10 +71,12 @@ public:
   void restore(const output::Arrays& arrays);
 
 private:
-  std::vector<fem::TimeStep> substeps() const;
+  std::vector<fem::TimeStep> substeps(int pieces) const;
+  bool try_pieces(int pieces, StepReport& report);
   bool substep(const fem::TimeStep& step, StepReport& report);
   bool couple(const fem::TimeStep& step, StepReport& report);
   bool evaluate(std::span<const double> d, std::span<double> answer, StepReport& report);
+  bool accept_mesh(StepReport& report);
   bool solve_fluid(StepReport& report);
   bool solve_solid(std::span<const double> load, StepReport& report);
   bool account(std::string_view what, const linalg::NewtonReport& solved, int& iterations,

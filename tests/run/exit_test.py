@@ -5,6 +5,7 @@ import resource
 import shutil
 import signal
 import subprocess
+import xml.etree.ElementTree as xml
 
 import support
 from support import (DONE, ENVIRONMENT, FAILED, FLAP, MISSED, USER_ERROR, RunTest, arguments, checkpoints,
@@ -127,7 +128,12 @@ class Failure(RunTest):
     def test_a_mesh_that_folds(self):
         # A flap like cloth in a storm, and corners that stay where they are.
         self.assert_fails("let.U=30", "solid.model.saint_venant_kirchhoff={young=1e3, poisson=0.35}",
-                          'motion.regenerate={corners="fixed"}', told=["the fluid mesh folds", "of channel"])
+                          'motion.regenerate={corners="fixed"}',
+                          told=["the fluid mesh folds", "of channel", "also with the step cut into 8",
+                                "refused.svg shows the blocks"])
+        picture = xml.parse(self.folder / "results/refused.svg").getroot()
+        texts = [element.text for element in picture.iter() if element.tag.endswith("text")]
+        self.assertTrue(any("of channel is not valid" in text for text in texts), texts)
 
     def test_a_failed_run_goes_on_when_its_cause_is_gone_as_if_nothing_had_been(self):
         # A sudden blow in the first or the second half of a step of the start-up, and later.
@@ -144,8 +150,36 @@ class Failure(RunTest):
                 self.assertEqual((folder / "fields/fluid-000008.vtu").read_bytes(),
                                  (reference / "fields/fluid-000008.vtu").read_bytes())
 
+    def test_a_step_whose_mesh_folds_is_cut_and_the_run_goes_on(self):
+        soft = "solid.model.saint_venant_kirchhoff={young=2e3, poisson=0.35}"
+        strong = (soft, "let.U=20", "time.step=0.04", "time.end=0.2")
+        output = self.call(*self.words(*strong)).stdout
+        self.assertRegex(output, r"(?m)^step \d was done in \d pieces: the fluid mesh folds over in step \d")
+        table = read_table(self.folder / "results/quality.csv")
+        self.assertEqual(table["step"], [*range(1, 6)])
+        self.assertEqual(table["certified"], [1] * 5)
+        self.assertAlmostEqual(table["time"][-1], 0.2)
+        for step, pieces in zip(table["step"], table["pieces"], strict=True):
+            self.assertEqual(f"step {step:g} was done in {pieces:g} pieces" in output, pieces > 1)
+        self.call(*self.words(*strong, "time.cuts=0"), code=FAILED)
+
+    def test_steps_that_are_cut_are_shorter_steps(self):
+        # Only whole steps feel this: they look at forces at t + 0.5125 step.
+        common = ("time.start_up=0", "time.ringing_decay=0.4", "output.every=0")
+        blow = 'fluid.body_force=["if(abs(t - 0.02 * floor(t / 0.02) - 0.01025) < 1e-4, sqrt(-1), 0)", "0"]'
+        folder, halves = self.folder / "results", self.folder / "halves"
+        self.call(*self.words(*common, "time.step=0.01"))
+        folder.rename(halves)
+        self.call(*self.words(*common, blow))
+        self.assertEqual(read_table(folder / "quality.csv")["pieces"], [2] * 8)
+        whole, half = (read_table(place / "probes.csv") for place in (folder, halves))
+        for name in whole:
+            if name != "step":
+                for a, b in zip(whole[name], half[name][1::2], strict=True):
+                    self.assertAlmostEqual(a, b, delta=1e-9 * max(map(abs, half[name])))
+
     def test_a_failed_run_may_go_on_with_shorter_steps(self):
-        self.call(*self.words("coupling.iterations=4"), code=FAILED)
+        self.call(*self.words("coupling.iterations=4", "time.cuts=0"), code=FAILED)
         self.call(*self.words("time.step=0.01"), "--restart")
         self.assertAlmostEqual(read_table(self.folder / "results/probes.csv")["time"][-1], 0.16)
 
