@@ -41,6 +41,15 @@ struct Prescribed
   int cycles = 3;
 };
 
+/// Another layout of blocks that takes over when the first one is at its end.
+struct Second
+{
+  std::filesystem::path path;  ///< of its case file
+  double below = 0.0;        ///< least scaled Jacobian of a step's mesh at which it takes over at the latest
+  std::optional<double> at;  ///< time at which it takes over at the latest [s]
+  Location where;
+};
+
 /// Everything that a case file says, checked: the parameters of all layers and the blocks.
 struct Case
 {
@@ -52,6 +61,7 @@ struct Case
   /// Other ways for `blockfsi compare`, by name.
   std::vector<std::pair<std::string, Motion>> variants;
   std::optional<Prescribed> prescribed;
+  std::optional<Second> second;
   std::optional<fluid::Parameters> fluid;
   std::optional<solid::Parameters> solid;
   fem::TimeParameters time;

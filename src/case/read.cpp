@@ -116,6 +116,8 @@ constexpr auto parts = std::to_array<Part>(
       { read_compare(v, d.reading, d.pieces, d.result.layout, d.result.variants); }},
      {"prescribed", prescribed_sections,
       [](const Value& v, Draft& d) { read_prescribed(v, d.reading, d.result.prescribed.emplace()); }},
+     {"switch", switch_sections,
+      [](const Value& v, Draft& d) { read_switch(v, d.reading, d.result.path, d.result.second.emplace()); }},
      {"output", output_sections,
       [](const Value& v, Draft& d) { read_output(v, d.reading, d.result.output); }},
      {"petsc", petsc_sections,

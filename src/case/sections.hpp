@@ -42,6 +42,9 @@ void read_compare(const Value& value, Reading& reading, const block::Layout& pie
                   const block::Layout& merged, std::vector<std::pair<std::string, Motion>>& variants);
 std::vector<Section> compare_sections();
 
+void read_switch(const Value& value, Reading& reading, const std::filesystem::path& file, Second& second);
+std::vector<Section> switch_sections();
+
 void read_prescribed(const Value& value, Reading& reading, Prescribed& prescribed);
 std::vector<Section> prescribed_sections();
 

@@ -76,7 +76,7 @@ output::Arrays Simulation::save() const
 {
   output::Arrays arrays;
   arrays["skeleton"] = skeleton_.x;
-  arrays["step"] = std::vector<std::int64_t>{step_, start_step_};
+  arrays["step"] = std::vector<std::int64_t>{step_, start_step_, rough_step_};
   arrays["time"] = std::vector<double>{time_, start_time_, case_.time.step};
   if (fluid_)
   {
@@ -112,9 +112,13 @@ void Simulation::restore(const output::Arrays& arrays)
   using Values = std::vector<double>;
   const Values clock = take(arrays, "time", 3);
   const bool same_steps = clock[2] == case_.time.step;
-  step_ = output::get<std::vector<std::int64_t>>(arrays, "step").at(0);
+  const auto steps = output::get<std::vector<std::int64_t>>(arrays, "step");
+  if (steps.size() != 3)
+    throw Error(fmt::format("{}it was written by another version; start anew without --restart", mismatch));
+  step_ = steps[0];
+  rough_step_ = steps[2];
   time_ = clock[0];
-  start_step_ = same_steps ? output::get<std::vector<std::int64_t>>(arrays, "step").at(1) : step_;
+  start_step_ = same_steps ? steps[1] : step_;
   start_time_ = same_steps ? clock[1] : time_;
   if (acceleration_)
   {

@@ -1,20 +1,24 @@
 #include "run/run.hpp"
 
 #include "linalg/communicator.hpp"
+#include "output/table.hpp"
 #include "run/failure.hpp"
 #include "run/interrupt.hpp"
 #include "run/progress.hpp"
 #include "run/refused.hpp"
 #include "run/results.hpp"
 #include "run/simulation.hpp"
+#include "run/transfer.hpp"
 
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -115,9 +119,41 @@ struct Place
   std::uint64_t run;
 };
 
-/// Does one step after the other, until the end, a failure or a signal; a failure's reason goes to `failure`.
-Exit step_through(Simulation& simulation, Results& results, const InterruptGuard& guard, const Place& place,
-                  const Observer& observer, std::string& failure)
+Place make_place(const std::filesystem::path& folder)
+{
+  const auto now = linalg::from_first(std::chrono::system_clock::now().time_since_epoch().count());
+  return {folder, folder / "checkpoint", static_cast<std::uint64_t>(now)};
+}
+
+/// What a run begins with.
+enum class Begin
+{
+  rest,
+  checkpoint,
+  transfer  ///< from another layout; it was done already
+};
+
+/// How steps ended.
+struct Ending
+{
+  Exit exit = Exit::done;
+  std::string failure;
+  bool switches = false;  ///< another layout takes over
+};
+
+/// Whether another layout takes over after a step that went well.
+bool is_due(const std::optional<case_file::Second>& second, const Simulation& simulation,
+            const StepReport& report)
+{
+  constexpr double rounding = 1e-9;
+  return second && !simulation.finished() &&
+         (report.quality.scaled_jacobian < second->below ||
+          (second->at && simulation.time() > *second->at - rounding * simulation.description().time.step));
+}
+
+/// Does one step after the other, until the end, a failure or a signal, or until another layout takes over.
+Ending step_through(Simulation& simulation, Results& results, const InterruptGuard& guard, const Place& place,
+                    const Observer& observer, const std::optional<case_file::Second>& second)
 {
   const int checkpoint_every = simulation.description().output.checkpoint_every;
   Progress progress(simulation);
@@ -127,7 +163,11 @@ Exit step_through(Simulation& simulation, Results& results, const InterruptGuard
     if (!report.ok)
     {
       progress.end();
-      failure = report.failure;
+      if (second && report.refused)
+      {
+        say("{}; another layout takes over\n", report.failure);
+        return {Exit::done, {}, true};
+      }
       std::string picture;
       if (report.refused)
       {
@@ -138,7 +178,7 @@ Exit step_through(Simulation& simulation, Results& results, const InterruptGuard
       if (linalg::part().rank == 0)
         fmt::print(stderr, "blockfsi: {}; the last good state (t = {:g} s) is in the results{}\n",
                    report.failure, simulation.time(), picture);
-      return Exit::failed;
+      return {Exit::failed, report.failure, false};
     }
     {
       const Stopwatch watch(simulation.timings(), Task::output);
@@ -158,33 +198,42 @@ Exit step_through(Simulation& simulation, Results& results, const InterruptGuard
     {
       progress.end();
       say("interrupted after step {}; continue with --restart\n", simulation.step());
-      return Exit::interrupted;
+      return {Exit::interrupted, {}, false};
+    }
+    if (is_due(second, simulation, report))
+    {
+      progress.end();
+      return {Exit::done, {}, true};
     }
     if (simulation.step() % checkpoint_every == 0)
       write_checkpoint(simulation, place.checkpoints, place.run);
   }
   progress.end();
-  return Exit::done;
+  return {};
 }
 
-Outcome carry_out(Simulation& simulation, bool is_restart, const Place& place,
-                  std::chrono::steady_clock::time_point start, const Observer& observer)
+Outcome carry_out(Simulation& simulation, Begin begin, const Place& place,
+                  std::chrono::steady_clock::time_point start, const Observer& observer,
+                  const std::optional<case_file::Second>& second, bool& switches)
 {
   const case_file::Case& description = simulation.description();
   const InterruptGuard guard;
-  if (is_restart)
+  if (begin == Begin::checkpoint)
     restart(simulation, place.checkpoints);
   else if (linalg::part().rank == 0)
     output::remove_all(place.checkpoints);
   introduce(simulation, place.folder);
-  Results results(place.folder, simulation, is_restart);
-  const bool starts_from_rest = !is_restart && description.time.scheme != fem::Scheme::steady;
-  if (starts_from_rest && description.output.every > 0.0)
+  Results results(place.folder, simulation, begin == Begin::checkpoint);
+  const bool is_new = begin != Begin::checkpoint && description.time.scheme != fem::Scheme::steady;
+  if (is_new && description.output.every > 0.0)
     results.add_fields();
 
   const std::int64_t first_step = simulation.step();
   Outcome outcome;
-  outcome.exit = step_through(simulation, results, guard, place, observer, outcome.failure);
+  const Ending ending = step_through(simulation, results, guard, place, observer, second);
+  outcome.exit = ending.exit;
+  outcome.failure = ending.failure;
+  switches = ending.switches;
   if (outcome.exit != Exit::interrupted)
   {
     const Stopwatch watch(simulation.timings(), Task::output);
@@ -201,6 +250,78 @@ Outcome carry_out(Simulation& simulation, bool is_restart, const Place& place,
   return outcome;
 }
 
+void require_solvable(const case_file::Case& description)
+{
+  if (!description.fluid && !description.solid)
+    throw Error({description.path.string()}, "there is nothing to solve: the case has neither [fluid] nor "
+                                             "[solid]; `blockfsi mesh` makes its mesh");
+  if (description.layout.dim != 2)
+    throw Error(
+        {description.path.string()},
+        "only blocks of two dimensions can be simulated; `blockfsi mesh` makes the mesh, and `blockfsi "
+        "compare --prescribed` moves it");
+}
+
+/// Carries the state to the second layout and writes what that cost; false if its mesh is not valid.
+bool hand_over(const Transfer& transfer, const Simulation& first, Simulation& next,
+               const std::filesystem::path& folder)
+{
+  const double before = first.fluid()->quality().scaled_jacobian;
+  const TransferReport report = transfer.carry(first, next);
+  if (!report.valid)
+  {
+    fmt::print(stderr,
+               "blockfsi: the mesh of '{}' is not valid at t = {:g} s either; the last good state is in the "
+               "results of the first layout\n",
+               next.description().path.string(), first.time());
+    return false;
+  }
+  say("{} takes over at t = {:g} s: least scaled Jacobian {:.3g} -> {:.3g}, transfer error of the velocity "
+      "{:.2g}, of the pressure {:.2g}\n",
+      next.description().path.string(), first.time(), before, report.quality.scaled_jacobian,
+      report.velocity_error, report.pressure_error);
+  output::Table table(folder / "transfer.csv", {"step", "time", "scaled_jacobian_before", "scaled_jacobian",
+                                                "velocity_error", "pressure_error"});
+  table.append(first.step(), std::array{first.time(), before, report.quality.scaled_jacobian,
+                                        report.velocity_error, report.pressure_error});
+  return true;
+}
+
+/// Runs a case and, when that is due, its second layout, whose results lie in a folder of its name.
+Exit run_both(const case_file::Case& description, const RunOptions& options)
+{
+  const case_file::Second& second = *description.second;
+  const case_file::Case other = case_file::read(second.path);
+  require_solvable(description);
+  require_solvable(other);
+  if (linalg::part().size > 1)
+    throw Error(second.where, "[switch] works with one process; leave out mpirun");
+  if (other.second)
+    throw Error(second.where,
+                "[switch] to: the second case has a section [switch], too; one switch is possible");
+  const std::filesystem::path folder = result_folder(description, options);
+  const Place place = make_place(folder);
+  const Place next_place = make_place(folder / second.path.stem());
+  const auto now = [] { return std::chrono::steady_clock::now(); };
+  bool switches = false;
+  if (options.restart && output::latest_complete(next_place.checkpoints, 1))
+  {
+    Simulation next(other);
+    return carry_out(next, Begin::checkpoint, next_place, now(), {}, std::nullopt, switches).exit;
+  }
+  Simulation first(description);
+  Simulation next(other);
+  const Transfer transfer(first, next);
+  output::remove_all(next_place.checkpoints);
+  const Begin begin = options.restart ? Begin::checkpoint : Begin::rest;
+  const Exit exit = carry_out(first, begin, place, now(), {}, second, switches).exit;
+  if (!switches)
+    return exit;
+  if (!hand_over(transfer, first, next, next_place.folder))
+    return Exit::failed;
+  return carry_out(next, Begin::transfer, next_place, now(), {}, std::nullopt, switches).exit;
+}
+
 }  // namespace
 
 std::filesystem::path result_folder(const case_file::Case& description, const RunOptions& options)
@@ -213,22 +334,15 @@ std::filesystem::path result_folder(const case_file::Case& description, const Ru
 
 Outcome run_observed(const case_file::Case& description, const RunOptions& options, const Observer& observer)
 {
-  if (!description.fluid && !description.solid)
-    throw Error({description.path.string()}, "there is nothing to solve: the case has neither [fluid] nor "
-                                             "[solid]; `blockfsi mesh` makes its mesh");
-  if (description.layout.dim != 2)
-    throw Error(
-        {description.path.string()},
-        "only blocks of two dimensions can be simulated; `blockfsi mesh` makes the mesh, and `blockfsi "
-        "compare --prescribed` moves it");
-  const std::filesystem::path folder = result_folder(description, options);
+  require_solvable(description);
+  const Place place = make_place(result_folder(description, options));
   const auto start = std::chrono::steady_clock::now();
-  const auto now = linalg::from_first(std::chrono::system_clock::now().time_since_epoch().count());
   Simulation simulation(description);
   try
   {
-    return carry_out(simulation, options.restart,
-                     {folder, folder / "checkpoint", static_cast<std::uint64_t>(now)}, start, observer);
+    bool switches = false;
+    return carry_out(simulation, options.restart ? Begin::checkpoint : Begin::rest, place, start, observer,
+                     std::nullopt, switches);
   }
   catch (const std::exception& error)
   {
@@ -239,7 +353,7 @@ Outcome run_observed(const case_file::Case& description, const RunOptions& optio
 
 Exit run(const case_file::Case& description, const RunOptions& options)
 {
-  return run_observed(description, options, {}).exit;
+  return description.second ? run_both(description, options) : run_observed(description, options, {}).exit;
 }
 
 }  // namespace blockfsi::run

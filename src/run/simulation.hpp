@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -61,6 +62,8 @@ public:
   const FluidSide* fluid() const { return fluid_.get(); }
   const SolidSide* solid() const { return solid_.get(); }
   const block::Skeleton& skeleton() const { return skeleton_; }
+  /// Skeleton numbers of the nodes of the interface, ascending.
+  std::span<const std::int64_t> interface() const { return interface_; }
   const case_file::Case& description() const { return case_; }
   Timings& timings() { return timings_; }
   std::int64_t unknown_count() const;
@@ -96,6 +99,8 @@ private:
   /// Where the present length of step began: not at the start if a restart changed it.
   std::int64_t start_step_ = 0;
   double start_time_ = 0.0;
+  /// The step from which the state did not come from one of this scheme: 0, or that of a transfer.
+  std::int64_t rough_step_ = 0;
   /// Displacement of the interface at the last accepted (sub)steps, newest first.
   std::vector<std::vector<double>> history_;
   /// Length of the step that led to the newest, and how many in a row had it.

@@ -1,0 +1,97 @@
+"""A second layout of blocks that takes over the state of the first."""
+from pathlib import Path
+
+import support
+from support import DONE, FAILED, USER_ERROR, RunTest, checkpoints, read_table
+
+# The flap of support.FLAP as a file, with three things to fill in.
+CASE = (Path(__file__).parents[2] / "cases/wall-ramm-flap/case.toml").read_text()
+DIVIDE = {"divide.x = [4, 3, 9, 14]": "divide.x = [2, 2, 4, 4]", "divide.y = [4, 4, 1, 4, 4]": "divide.y = [2, 2, 1, 2, 2]"}
+FINER = {"divide.x = [4, 3, 9, 14]": "divide.x = [3, 2, 4, 6]", "divide.y = [4, 4, 1, 4, 4]": "divide.y = [3, 3, 1, 3, 3]"}
+SOFT = {"young = 2.5e5": "young = 1e3", "U = 0.513 ": "U = 30 "}
+
+
+def text_of(*changes, end, more=""):
+    text = CASE.replace("order = 3", "order = 2").replace("step = 2.5e-3", "step = 0.02")
+    text = text.replace("end  = 10", f"end  = {end}").replace("every  = 0.05", "every = 0.04")
+    for change in changes:
+        for old, new in change.items():
+            assert old in text, old
+            text = text.replace(old, new)
+    return text + "\n" + more
+
+
+class Switch(RunTest):
+    def write(self, first, second):
+        (self.folder / "first.toml").write_text(first)
+        (self.folder / "second.toml").write_text(second)
+
+    def run_first(self, *options, code=DONE, out="out"):
+        return self.call("run", self.folder / "first.toml", "--directory", self.folder / out, *options, code=code)
+
+    def test_the_same_blocks_take_over_without_a_difference(self):
+        switch = '[switch]\nto = "second.toml"\nat = 0.08\n'
+        no_start = {"step = 0.02": "step = 0.02\nstart_up = 0"}  # it would be of lower order
+        self.write(text_of(DIVIDE, end=0.16, more=switch), text_of(DIVIDE, no_start, end=0.16))
+        output = self.run_first().stdout
+        self.assertIn("takes over at t = 0.08 s", output)
+        first, second = self.folder / "out", self.folder / "out/second"
+        self.assertEqual(read_table(first / "probes.csv")["step"], [1, 2, 3, 4])
+        self.assertEqual(read_table(second / "probes.csv")["step"], [5, 6, 7, 8])
+        self.assertAlmostEqual(read_table(second / "probes.csv")["time"][-1], 0.16)
+        transfer = read_table(second / "transfer.csv")
+        self.assertEqual(transfer["step"], [4])
+        self.assertLess(transfer["velocity_error"][0], 1e-12)
+        self.assertLess(transfer["pressure_error"][0], 1e-12)
+        self.assertAlmostEqual(transfer["scaled_jacobian"][0], transfer["scaled_jacobian_before"][0], places=12)
+        (self.folder / "first.toml").write_text(text_of(DIVIDE, end=0.16))
+        self.run_first(out="whole")
+        whole = read_table(self.folder / "whole/probes.csv")["tip_uy"]
+        for a, b in zip(read_table(second / "probes.csv")["tip_uy"], whole[4:], strict=True):
+            self.assertAlmostEqual(a, b, delta=1e-3 * max(map(abs, whole)))
+
+    def test_finer_blocks_take_over_and_a_restart_continues_them_bit_for_bit(self):
+        switch = '[switch]\nto = "second.toml"\nat = 0.08\n'
+        self.write(text_of(DIVIDE, end=0.16, more=switch), text_of(FINER, end=0.16))
+        self.run_first()
+        transfer = read_table(self.folder / "out/second/transfer.csv")
+        self.assertGreater(transfer["velocity_error"][0], 1e-12)
+        self.assertLess(transfer["velocity_error"][0], 1e-2)
+        (self.folder / "second.toml").write_text(text_of(FINER, end=0.12))
+        self.run_first(out="cut")
+        self.assertEqual(checkpoints(self.folder / "cut/second")[-1].name, "step-000006")
+        (self.folder / "second.toml").write_text(text_of(FINER, end=0.16))
+        self.run_first("--restart", out="cut")
+        for name in ("probes.csv", "forces.csv", "quality.csv"):
+            self.assertEqual((self.folder / "cut/second" / name).read_text(),
+                             (self.folder / "out/second" / name).read_text())
+
+    def test_a_second_layout_goes_on_where_the_mesh_of_the_first_ends(self):
+        switch = '[motion]\nregenerate = { corners = "fixed" }\n'
+        alone = text_of(DIVIDE, SOFT, end=0.16, more=switch)
+        self.write(alone, text_of(DIVIDE, SOFT, end=0.16))
+        error = self.run_first(code=FAILED, out="alone").stderr
+        self.assertTrue("folds over" in error or "not proved valid" in error, error)
+        (self.folder / "first.toml").write_text(alone + '\n[switch]\nto = "second.toml"\n')
+        output = self.run_first().stdout
+        self.assertIn("another layout takes over", output)
+        steps = read_table(self.folder / "out/probes.csv")["step"]
+        more = read_table(self.folder / "out/second/probes.csv")["step"]
+        self.assertEqual(steps + more, [*range(1, 9)])
+        self.assertGreater(len(more), 0)
+        self.assertEqual(set(read_table(self.folder / "out/second/quality.csv")["certified"]), {1})
+
+    def test_what_cannot_take_over_is_refused_before_anything_is_solved(self):
+        switch = '[switch]\nto = "second.toml"\nbelow = 0.2\n'
+        longer = {"divide.x = [4, 3, 9, 14]": "divide.x = [2, 2, 5, 4]", **dict([list(DIVIDE.items())[1]])}
+        self.write(text_of(DIVIDE, end=0.16, more=switch), text_of(longer, end=0.16))
+        self.assertIn("the body must have the same blocks, divisions and order", self.run_first(code=USER_ERROR).stderr)
+        (self.folder / "second.toml").write_text(text_of(DIVIDE, end=0.16, more=switch))
+        self.assertIn("one switch is possible", self.run_first(code=USER_ERROR).stderr)
+        (self.folder / "first.toml").write_text(text_of(DIVIDE, end=0.16, more='[switch]\nto = "third.toml"\n'))
+        self.assertIn("there is no case file", self.run_first(code=USER_ERROR).stderr)
+        self.assertFalse((self.folder / "out").exists())
+
+
+if __name__ == "__main__":
+    support.main()
