@@ -44,8 +44,25 @@ Layout layout_of(const Extrusion& shape, int order, int divisions)
       }
       layout.blocks.push_back(block);
     }
-  layout.boundaries.push_back({"ends", ByCondition{Condition("x = 0 or x = 2", {})}, {}});
-  layout.boundaries.push_back({"walls", ByCondition{Condition("y = 0 or y = 1 or z = 0 or z = 1", {})}, {}});
+  const auto boundary = [&](const char* name, int axis)
+  {
+    const char letter = "xyz"[axis];
+    const std::string condition = std::string(1, letter) + " = " + std::to_string(shape.low[axis]) + " or " +
+                                  std::string(1, letter) + " = " + std::to_string(shape.high[axis]);
+    layout.boundaries.push_back({name, ByCondition{Condition(condition, {})}, {}});
+  };
+  boundary("ends", 0);
+  boundary("floor and lid", 1);
+  boundary("sides", 2);
+  for (std::size_t level = 0; level < shape.levels.size(); ++level)
+    for (const auto& [a, b] : shape.arcs)
+      layout.edges.push_back(
+          {static_cast<int>(level) * width + a,
+           static_cast<int>(level) * width + b,
+           geometry::Arc{.center = {shape.middle[0], shape.levels[level], shape.middle[1]}},
+           {},
+           {},
+           {}});
   return layout;
 }
 
@@ -126,17 +143,19 @@ TEST_CASE(
     "the coarse blocks' map with its bends is the map that places the nodes, whatever the interface does")
 {
   check_nodes_are_samples(FlagLayout(narrow_channel, 4, 1).layout, "flag", {"walls"});
-  check_nodes_are_samples(layout_of(flap_on_floor(), 4, 1), "body", {"walls"});
+  check_nodes_are_samples(layout_of(flap_on_floor(), 4, 1), "body", {"floor and lid", "sides"});
+  check_nodes_are_samples(layout_of(rod_on_floor(), 4, 1), "body", {"ends", "floor and lid"});
 }
 
 TEST_CASE("coarse blocks in space are those of a construction from plain arrays")
 {
   const Extrusion shape = flap_on_floor();
-  const Layout layout = layout_of(shape, 2, 2);
+  Layout layout = layout_of(shape, 2, 3);
+  layout.grade_towards.push_back({{"body"}, 0.02, {}});  // where the nodes are does not matter
   const Skeleton skeleton = make_skeleton(layout);
   const std::vector<std::int64_t> interface = interface_nodes(layout, skeleton, "fluid", "body");
-  const CornerGraph graph =
-      corner_graph(layout, skeleton, "fluid", interface, sliding(CornerRule::radial, {"walls"}));
+  const CornerGraph graph = corner_graph(layout, skeleton, "fluid", interface,
+                                         sliding(CornerRule::radial, {"floor and lid", "sides"}));
   const ExtrudedBlocks other(shape, graph.degree);
   REQUIRE(graph.blocks.size() == 98);
   REQUIRE(graph.corners.size() == other.graph.corners.size());
