@@ -29,6 +29,7 @@ using geometry::scaled;
 using geometry::subtract;
 
 constexpr int around_count = 8;  ///< corners of a section on the wall
+constexpr int ray_steps = 64;    ///< in which a ray looks for the wall
 
 /// A section across a tube as points of the layout, its corners counted from the first pole.
 struct Section
@@ -165,17 +166,27 @@ private:
     return static_cast<int>(layout_.points.size()) - 1;
   }
 
-  /// Distance of the wall from a point inside, along a unit vector.
+  /// Distance of the wall from a point inside, along a unit vector. The slope there says nothing, as the ray
+  /// begins on the axis; so the first change of sign is looked for in steps.
   double wall_distance(const Point& from, const Point& direction, const std::string& where) const
   {
-    const geometry::SearchLimits limits{tubes_.reach, tubes_.reach, false};
-    const geometry::Found found = geometry::project(tubes_.wall, from, direction, limits);
-    if (!found.ok() || !(found.moved > 0.0))
-      fail(fmt::format(
-          "from {} the wall is not met within {:g} m along ({:.3g}, {:.3g}, {:.3g}) ({}); move the "
-          "section, or let the search reach farther",
-          where, tubes_.reach, direction[0], direction[1], direction[2], geometry::text(found.status)));
-    return found.moved;
+    if (!(tubes_.wall.value(from) < 0.0))
+      fail(fmt::format("{} at ({:.3g}, {:.3g}, {:.3g}) lies outside of the wall; move it inside", where,
+                       from[0], from[1], from[2]));
+    const double step = tubes_.reach / ray_steps;
+    for (int i = 0; i < ray_steps; ++i)
+      if (tubes_.wall.value(combine(1.0, from, (i + 1) * step, direction)) >= 0.0)
+      {
+        const Point start = combine(1.0, from, i * step, direction);
+        const geometry::Found found = geometry::project(tubes_.wall, start, direction, {step, step, false});
+        if (found.ok())
+          return i * step + found.moved;
+        fail(fmt::format("from {} along ({:.3g}, {:.3g}, {:.3g}) there is {} of the wall", where,
+                         direction[0], direction[1], direction[2], geometry::text(found.status)));
+      }
+    fail(fmt::format("from {} the wall is not met within {:g} m along ({:.3g}, {:.3g}, {:.3g}); move the "
+                     "section, or let the search reach farther",
+                     where, tubes_.reach, direction[0], direction[1], direction[2]));
   }
 
   /// Adds the corners on one ray: on the wall and of the inner square.
