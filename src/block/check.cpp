@@ -2,12 +2,16 @@
 
 #include "block/message.hpp"
 #include "block/topology.hpp"
+#include "geometry/path.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <utility>
+#include <variant>
 
 namespace blockfsi::block
 {
@@ -109,20 +113,67 @@ std::vector<std::array<std::int8_t, 3>> neighbours(Shape shape)
   }
 }
 
-/// Area or volume that the edges at a corner span: positive in a sound block.
-double corner_measure(const Layout& layout, const Block& block, int corner)
+using geometry::Point;
+
+/// Directions of curved edges at their ends, by the point that they leave and the one that they lead to.
+using Tangents = std::map<std::pair<int, int>, Point>;
+
+/// Corners between curves are called flat below this sine: tangents are known to about 1e-7.
+constexpr double flat_sine = 1e-4;
+
+void check_curve(const Layout& layout, const Edge& edge)
+{
+  try
+  {
+    geometry::check(edge.curve, layout.points[edge.a].x, layout.points[edge.b].x);
+  }
+  catch (const Error& error)
+  {
+    throw mistake(edge.where, error.within("the edge " + edge_text(layout, edge.a, edge.b)).message());
+  }
+}
+
+/// Throws Error for a curve that does not fit.
+Tangents tangents_of(const Layout& layout)
+{
+  Tangents result;
+  for (const Edge& edge : layout.edges)
+  {
+    if (std::holds_alternative<geometry::Segment>(edge.curve))
+      continue;
+    check_curve(layout, edge);
+    const geometry::Path path(edge.curve, layout.points[edge.a].x, layout.points[edge.b].x);
+    result[{edge.a, edge.b}] = path.derivative(0.0);
+    result[{edge.b, edge.a}] = geometry::scaled(-1.0, path.derivative(1.0));
+  }
+  return result;
+}
+
+/// The direction in which an edge leaves a point, of unit length.
+Point direction(const Layout& layout, const Tangents& tangents, int from, int to)
+{
+  const auto curved = tangents.find({from, to});
+  if (curved != tangents.end() && geometry::is_finite(curved->second) && geometry::norm(curved->second) > 0.0)
+    return geometry::scaled(1.0 / geometry::norm(curved->second), curved->second);
+  const Point chord = geometry::subtract(layout.points[to].x, layout.points[from].x);
+  return geometry::scaled(1.0 / geometry::norm(chord), chord);
+}
+
+/// Area or volume that the unit vectors along the edges at a corner span: positive in a sound block.
+double corner_measure(const Layout& layout, const Tangents& tangents, const Block& block, int corner)
 {
   const std::array<std::int8_t, 3> next = neighbours(block.shape)[corner];
-  const auto& at = layout.points[block.points[corner]].x;
-  std::array<std::array<double, 3>, 3> e{{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}};
+  const int at = block.points[corner];
+  std::array<Point, 3> e{{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}};
+  bool curved = false;
   for (int d = 0; d < layout.dim; ++d)
-    for (int c = 0; c < 3; ++c)
-      e[d][c] = layout.points[block.points[next[d]]].x[c] - at[c];
-  if (layout.dim == 2)
-    return e[0][0] * e[1][1] - e[0][1] * e[1][0];
-  return e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
-         e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
-         e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
+  {
+    const int to = block.points[next[d]];
+    e[d] = direction(layout, tangents, at, to);
+    curved = curved || tangents.contains({at, to});
+  }
+  const double measure = geometry::dot(geometry::cross(e[0], e[1]), e[2]);
+  return curved && std::abs(measure) < flat_sine ? 0.0 : measure;
 }
 
 /// Corners of the mirrored block in the order that makes a sound one.
@@ -162,18 +213,18 @@ Error inside_out(const Layout& layout, const Block& block)
 }
 
 /// At all corners the edges must be right-handed, else the transfinite map has a Jacobian <= 0 there.
-void check_corners(const Layout& layout, const Block& block)
+void check_corners(const Layout& layout, const Tangents& tangents, const Block& block)
 {
   const int count = static_cast<int>(neighbours(block.shape).size());
   int wrong_count = 0;
   int wrong_corner = 0;
   for (int c = 0; c < count; ++c)
-    if (!(corner_measure(layout, block, c) > 0.0))
+    if (!(corner_measure(layout, tangents, block, c) > 0.0))
     {
       ++wrong_count;
       wrong_corner = c;
     }
-  if (wrong_count == count && corner_measure(layout, block, 0) < 0.0)
+  if (wrong_count == count && corner_measure(layout, tangents, block, 0) < 0.0)
     throw inside_out(layout, block);
   if (wrong_count > 0)
     throw mistake(block.where,
@@ -192,8 +243,9 @@ void check_layout(const Layout& layout)
     check_points_of(layout, block);
   check_points_used(layout);
   check_points_apart(layout);
+  const Tangents tangents = tangents_of(layout);
   for (const Block& block : layout.blocks)
-    check_corners(layout, block);
+    check_corners(layout, tangents, block);
 }
 
 }  // namespace blockfsi::block

@@ -20,6 +20,25 @@ namespace
 using geometry::Overloaded;
 using geometry::Point;
 
+bool is_of_a_block(const Layout& layout, const Face& face)
+{
+  return std::any_of(layout.blocks.begin(), layout.blocks.end(),
+                     [&](const Block& block)
+                     {
+                       const auto sides = element::sides(block.shape);
+                       return std::any_of(sides.begin(), sides.end(),
+                                          [&](const element::SideShape& side)
+                                          {
+                                            std::vector<int> points;
+                                            for (int c = 0; c < element::corner_count(side.shape); ++c)
+                                              points.push_back(block.points[side.corners[c]]);
+                                            return std::is_permutation(points.begin(), points.end(),
+                                                                       face.points.begin(),
+                                                                       face.points.end());
+                                          });
+                     });
+}
+
 /// The level set of a surface, where it has one.
 std::optional<geometry::LevelSet> level_set_of(const geometry::Surface& surface)
 {
@@ -154,6 +173,9 @@ Layout with_curves_on_faces(const Layout& layout)
     }
     catch (const Error& error)
     {
+      // That no block has the face is the mistake then, which is told later.
+      if (!is_of_a_block(layout, face))
+        continue;
       throw mistake(face.where, error
                                     .within("the edge " + edge_text(layout, edge.a, edge.b) + " of the " +
                                             side_text(layout, face.points))

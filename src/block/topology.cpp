@@ -1,6 +1,7 @@
 #include "block/topology.hpp"
 
 #include "block/check.hpp"
+#include "block/intersections.hpp"
 #include "block/message.hpp"
 
 #include <fmt/format.h>
@@ -152,18 +153,6 @@ void add_sides(const Layout& layout, int b, Topology& topology, Known& known)
   topology.block_sides.push_back(faces);
 }
 
-void check_curve(const Layout& layout, const Edge& edge)
-{
-  try
-  {
-    geometry::check(edge.curve, layout.points[edge.a].x, layout.points[edge.b].x);
-  }
-  catch (const Error& error)
-  {
-    throw mistake(edge.where, error.within("the edge " + edge_text(layout, edge.a, edge.b)).message());
-  }
-}
-
 void add_edge_info(const Layout& layout, int entry, const Known& known, Topology& topology)
 {
   const Edge& edge = layout.edges[entry];
@@ -179,7 +168,6 @@ void add_edge_info(const Layout& layout, int entry, const Known& known, Topology
   info = entry;
   topology.edges[found->second].a = edge.a;
   topology.edges[found->second].b = edge.b;
-  check_curve(layout, edge);
 }
 
 void add_face_info(const Layout& layout, int entry, const Known& known, Topology& topology)
@@ -243,6 +231,7 @@ Topology make_topology(const Layout& layout)
   topology.face_info.assign(topology.faces.size(), -1);
   for (std::size_t entry = 0; entry < layout.faces.size(); ++entry)
     add_face_info(layout, static_cast<int>(entry), known, topology);
+  check_intersections(layout, topology);
   return topology;
 }
 

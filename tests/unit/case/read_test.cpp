@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <variant>
@@ -261,7 +262,7 @@ TEST_CASE("curves are read as they are written")
   CHECK(std::get<geometry::Arc>(curve(0)).axis == geometry::Point{0, 0, 1});
   CHECK(std::get<geometry::Arc>(curve(1)).longer);
   CHECK(std::get<geometry::ArcThrough>(curve(2)).point == geometry::Point{2.4, -0.2, 0});
-  CHECK(std::get<geometry::Ellipse>(curve(3)).second == geometry::Point{1, 0.5, 0});
+  CHECK(std::get<geometry::Ellipse>(curve(3)).second == geometry::Point{0, 0.5, 0});
   CHECK(std::get<geometry::Through>(curve(4)).parameters == std::vector<double>{0.4});
   CHECK(std::get<geometry::Through>(curve(4)).speed == geometry::Speed::own);
   CHECK(std::get<geometry::Spline>(curve(5)).curve.knots == std::vector<double>{0, 0, 0, 1, 1, 1});
@@ -283,13 +284,14 @@ TEST_CASE("edges of STEP and IGES files are curves in metres")
   };
   const geometry::Curve& arc = read.layout.edges[0].curve;
   const geometry::Point middle = geometry::evaluate(arc, ends(0)[0], ends(0)[1], 0.5);
-  CHECK(geometry::distance(middle, {0.5, -0.2, 0.0}) < 1e-12);
-  // Three quarters of a circle of radius 0.5.
+  CHECK(geometry::distance(middle, {0.5, 0.525, 0.0}) == doctest::Approx(0.725).epsilon(1e-12));
+  CHECK(middle[0] < 0.4);
+  // More than half of a circle of radius 0.5.
   const geometry::Curve& circle = read.layout.edges[1].curve;
   CHECK(geometry::length(circle, ends(1)[0], ends(1)[1]) ==
-        doctest::Approx(0.75 * 3.14159265358979).epsilon(1e-12));
+        doctest::Approx(0.5 * (3.14159265358979 + 2.0 * std::asin(0.28))).epsilon(1e-12));
   const std::string file = (folder / "part.step").string();
   CHECK(complaint(folder / "curves_cad.toml",
-                  {"blocks.edges.'row x0 y1 - row x1 y1'={ step = { file = '" + file + "', edge = 7 } }"})
+                  {"blocks.edges.'a - b'={ step = { file = '" + file + "', edge = 7 } }"})
             .find("has no edge 7; its edges have the numbers from 1 to 1") != std::string::npos);
 }
