@@ -11,6 +11,7 @@ namespace
 using coupling::Aitken;
 using coupling::Constant;
 using coupling::IqnIls;
+using coupling::IqnImvj;
 using coupling::Parameters;
 
 const Parameters defaults;
@@ -21,16 +22,18 @@ constexpr Range fraction = {.low = 0.0, .high = 1.0, .high_allowed = false, .wor
 constexpr Range small = {
     .low = 0.0, .high = 1.0, .low_allowed = false, .high_allowed = false, .words = "a number > 0 and < 1"};
 
-const Keys<IqnIls>& iqn_ils_keys()
+/// Keys of a method that keeps columns.
+template <typename Method>
+const Keys<Method>& quasi_newton_keys()
 {
-  static const Keys<IqnIls> keys = {
-      {{"reuse", "whole number", fmt::format("{}", IqnIls{}.reuse), "", "time steps whose columns are kept"},
-       [](const Value& v, Reading& r, IqnIls& a) { a.reuse = integer(v, r.constants, 0, 1000); }},
-      {{"filter", "number", fmt::format("{}", IqnIls{}.filter), "-",
+  static const Keys<Method> keys = {
+      {{"reuse", "whole number", fmt::format("{}", Method{}.reuse), "", "time steps whose columns are kept"},
+       [](const Value& v, Reading& r, Method& a) { a.reuse = integer(v, r.constants, 0, 1000); }},
+      {{"filter", "number", fmt::format("{}", Method{}.filter), "-",
         "columns that are new by less than this fraction are dropped"},
-       [](const Value& v, Reading& r, IqnIls& a) { a.filter = number(v, r.constants, fraction); }},
-      {{"initial", "number", fmt::format("{}", IqnIls{}.initial), "-", "relaxation while no column is known"},
-       [](const Value& v, Reading& r, IqnIls& a) { a.initial = number(v, r.constants, relaxation_range); }}};
+       [](const Value& v, Reading& r, Method& a) { a.filter = number(v, r.constants, fraction); }},
+      {{"initial", "number", fmt::format("{}", Method{}.initial), "-", "relaxation while no column is known"},
+       [](const Value& v, Reading& r, Method& a) { a.initial = number(v, r.constants, relaxation_range); }}};
   return keys;
 }
 
@@ -62,8 +65,12 @@ void read_accelerator(const Value& value, const Keys<Method>& keys, Reading& rea
 const Keys<Parameters>& accelerator_keys()
 {
   static const Keys<Parameters> keys = {
-      {{"iqn_ils", "table", "", "", "interface quasi-Newton by least squares"},
-       [](const Value& v, Reading& r, Parameters& p) { read_accelerator(v, iqn_ils_keys(), r, p); }},
+      {{"iqn_ils", "table", "", "", "interface quasi-Newton by least squares over all columns kept"},
+       [](const Value& v, Reading& r, Parameters& p)
+       { read_accelerator(v, quasi_newton_keys<IqnIls>(), r, p); }},
+      {{"iqn_imvj", "table", "", "", "interface quasi-Newton with a Jacobian carried from step to step"},
+       [](const Value& v, Reading& r, Parameters& p)
+       { read_accelerator(v, quasi_newton_keys<IqnImvj>(), r, p); }},
       {{"aitken", "table", "", "", "Aitken's dynamic relaxation"},
        [](const Value& v, Reading& r, Parameters& p) { read_accelerator(v, aitken_keys(), r, p); }},
       {{"constant", "table", "", "", "constant relaxation"},
@@ -98,7 +105,8 @@ std::vector<Section> coupling_sections()
 {
   return {section("[coupling]", "of fluid and solid", coupling_keys()),
           section("[coupling] accelerator = { ... }", "one key of", accelerator_keys()),
-          section("[coupling] accelerator = { iqn_ils = { ... } }", "", iqn_ils_keys()),
+          section("[coupling] accelerator = { iqn_ils = { ... } }", "", quasi_newton_keys<IqnIls>()),
+          section("[coupling] accelerator = { iqn_imvj = { ... } }", "", quasi_newton_keys<IqnImvj>()),
           section("[coupling] accelerator = { aitken = { ... } }", "", aitken_keys()),
           section("[coupling] accelerator = { constant = { ... } }", "", constant_keys())};
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -76,11 +77,12 @@ void orthogonalise(const std::vector<std::vector<double>>& q, std::span<double> 
   }
 }
 
-/// Modified Gram-Schmidt, done twice, from the newest column to the oldest.
-Factors factorise(const std::vector<double>& V, std::size_t size, double filter)
+/// Modified Gram-Schmidt, done twice, from the newest of the columns begin .. end - 1 of V to the oldest.
+Factors factorise(const std::vector<double>& V, std::size_t size, std::size_t begin, std::size_t end,
+                  double filter)
 {
   Factors factors;
-  for (std::size_t left = V.size() / size; left > 0 && factors.kept.size() < size; --left)
+  for (std::size_t left = end; left > begin && factors.kept.size() < size; --left)
   {
     const std::span<const double> column = row(V, size, left - 1);
     std::vector<double> v(column.begin(), column.end());
@@ -132,19 +134,57 @@ std::vector<double> increment(const Aitken& aitken, History& history, std::span<
   return scaled(history.omega, residual);
 }
 
-std::vector<double> increment(const IqnIls& iqn, History& history, std::span<const double> residual)
+/// step <- step + W c, c = argmin |V c + residual| over the columns begin .. end - 1; takes what they
+/// explain, -V c, away from the residual. Returns false where no column counts.
+bool explain(const History& history, std::size_t begin, std::size_t end, double filter,
+             std::span<double> residual, std::span<double> step)
 {
-  if (history.V.empty())
-    return scaled(iqn.initial, residual);
   const std::size_t size = residual.size();
-  const Factors factors = factorise(history.V, size, iqn.filter);
+  const Factors factors = factorise(history.V, size, begin, end, filter);
   const std::vector<double> c = least_squares(factors, residual);
-  std::vector<double> step(residual.begin(), residual.end());
   for (std::size_t j = 0; j < c.size(); ++j)
+  {
     add(c[j], row(history.W, size, factors.kept[j]), step);
+    add(c[j], row(history.V, size, factors.kept[j]), residual);
+  }
+  return !c.empty();
+}
+
+/// The step, unless it undoes that of the solvers, so that the same iteration would repeat.
+std::vector<double> unless_standing_still(std::vector<double> step, std::span<const double> residual,
+                                          double initial)
+{
   const double length = norm(step);
   const bool stands_still = length <= least_progress * norm(residual);
-  return stands_still || !std::isfinite(length) ? scaled(iqn.initial, residual) : step;
+  return stands_still || !std::isfinite(length) ? scaled(initial, residual) : step;
+}
+
+std::vector<double> increment(const IqnIls& iqn, History& history, std::span<const double> residual)
+{
+  std::vector<double> step(residual.begin(), residual.end());
+  std::vector<double> rest = step;
+  if (!explain(history, 0, history.V.size() / residual.size(), iqn.filter, rest, step))
+    return scaled(iqn.initial, residual);
+  return unless_standing_still(std::move(step), residual, iqn.initial);
+}
+
+/// J_s r = J_{s-1} (r - V_s c) + W_s c with c = argmin |V_s c - r|: each step, the newest first, hands what
+/// its columns leave unexplained to the one before. This is the recursion of J read backwards, so no J is
+/// stored (cost linear in the number of columns, as in Spenke, Hosters & Behr 2020).
+std::vector<double> increment(const IqnImvj& iqn, History& history, std::span<const double> residual)
+{
+  std::vector<double> step(residual.begin(), residual.end());
+  std::vector<double> rest = step;
+  bool knows = false;
+  std::size_t end = history.V.size() / residual.size();
+  for (std::size_t s = history.columns_per_step.size(); s-- > 0;)
+  {
+    const std::size_t begin = end - static_cast<std::size_t>(history.columns_per_step[s]);
+    knows = explain(history, begin, end, iqn.filter, rest, step) || knows;
+    end = begin;
+  }
+  return knows ? unless_standing_still(std::move(step), residual, iqn.initial)
+               : scaled(iqn.initial, residual);
 }
 
 void check(double value, const char* name)
@@ -163,13 +203,28 @@ void check(const Aitken& aitken)
   check(aitken.initial, "initial relaxation");
 }
 
-void check(const IqnIls& iqn)
+template <typename QuasiNewton>
+requires requires(QuasiNewton method)
+{
+  method.reuse;
+}
+void check(const QuasiNewton& iqn)
 {
   check(iqn.initial, "initial relaxation");
   if (iqn.reuse < 0)
     throw Error(fmt::format("the coupling reuses {} steps; choose 0 or more", iqn.reuse));
   if (!(iqn.filter >= 0.0 && iqn.filter < 1.0))
     throw Error(fmt::format("the filter of the coupling is {}; choose at least 0 and below 1", iqn.filter));
+}
+
+/// Steps whose columns a method keeps; nothing where it has no columns.
+std::optional<int> reused_steps(const Accelerator& accelerator)
+{
+  if (const auto* ils = std::get_if<IqnIls>(&accelerator))
+    return ils->reuse;
+  if (const auto* imvj = std::get_if<IqnImvj>(&accelerator))
+    return imvj->reuse;
+  return {};
 }
 
 }  // namespace
@@ -212,7 +267,7 @@ void Acceleration::observe(std::span<const double> d, std::span<const double> d_
 
 void Acceleration::add_column(std::span<const double> residual, std::span<const double> answer)
 {
-  if (!std::holds_alternative<IqnIls>(method_) || history_.last_residual.empty())
+  if (!reused_steps(method_) || history_.last_residual.empty())
     return;
   const std::vector<double> v = difference(residual, history_.last_residual);
   const std::vector<double> w = difference(answer, history_.last_answer);
@@ -226,8 +281,7 @@ void Acceleration::add_column(std::span<const double> residual, std::span<const 
 
 void Acceleration::accept_step()
 {
-  const auto* iqn = std::get_if<IqnIls>(&method_);
-  const std::size_t reuse = iqn ? static_cast<std::size_t>(iqn->reuse) : 0;
+  const auto reuse = static_cast<std::size_t>(reused_steps(method_).value_or(0));
   std::vector<std::int32_t>& steps = history_.columns_per_step;
   // A step without columns must not push out what earlier ones taught.
   if (steps.back() > 0)

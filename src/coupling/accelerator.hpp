@@ -32,6 +32,8 @@ struct History
 ///              (Kuettler & Wall 2008, eq. 44); a step starts with min(|last omega|, initial)
 ///   IQN-ILS:   d~ + W c,  c = argmin |V c + r|  (Degroote, Bathe & Vierendeels 2009), columns newest first,
 ///              those that hardly differ from newer ones left out (filter QR2, Haelterman et al. 2016)
+///   IQN-IMVJ:  d~ - J r,  J = J_- + (W - J_- V) V^+, with V, W of the step under way and J_- the J of the
+///              step before, 0 before the first step kept (Bogaers, Kok, Reddy & Franz 2014)
 /// Where a formula breaks down (no column, equal residuals, a step that would leave d where it is), the
 /// answer is d + initial r. Vectors are those of the whole interface; every process that calls with the same
 /// numbers gets the same numbers.

@@ -26,7 +26,16 @@ struct IqnIls
   double initial = 0.5;  ///< relaxation while no column is known [-]
 };
 
-using Accelerator = std::variant<Constant, Aitken, IqnIls>;
+/// Interface quasi-Newton whose Jacobian is carried from step to step and changed as little as possible
+/// (multi-vector method: Bogaers, Kok, Reddy & Franz 2014), filter QR2 within each step.
+struct IqnImvj
+{
+  int reuse = 20;        ///< steps whose columns are kept; those before them are forgotten
+  double filter = 1e-2;  ///< columns with |r_jj| < filter |v_j| are dropped [-]
+  double initial = 0.5;  ///< relaxation while no column is known [-]
+};
+
+using Accelerator = std::variant<Constant, Aitken, IqnIls, IqnImvj>;
 
 struct Parameters
 {

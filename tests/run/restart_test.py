@@ -11,6 +11,8 @@ PROBES = ('output.probes={tip={at=[0.095, 0.06], of="displacement"}, wake={at=[0
 # Settings, and after how many rows to interrupt.
 VARIANTS = {
     "IQN-ILS without reuse": (["coupling.accelerator={iqn_ils={reuse=0}}"], [7]),
+    "IQN-IMVJ": (["coupling.accelerator={iqn_imvj={}}"], [1, 7]),
+    "IQN-IMVJ that forgets": (["coupling.accelerator={iqn_imvj={reuse=2}}"], [7]),
     "Aitken": (["coupling.accelerator={aitken={initial=1}}"], [0, 7]),
     "constant relaxation": (["coupling.accelerator={constant={relaxation=0.6}}"], [0, 7]),
     "a strong flow": (["let.U=2"], [7]),

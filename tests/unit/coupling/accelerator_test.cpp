@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 using namespace blockfsi;
 using namespace blockfsi::coupling;
@@ -45,6 +46,8 @@ History taught(Vector V, Vector W, int columns)
   history.columns_per_step = {columns, 0};
   return history;
 }
+
+const std::vector<Accelerator> every_method = {Constant{}, Aitken{}, IqnIls{}, IqnImvj{}};
 
 AddedMass loaded(std::size_t size, double mu_0)
 {
@@ -171,9 +174,12 @@ TEST_CASE("quasi-Newton converges where plain relaxation diverges")
   Vector d(40, 0.0);
   Acceleration relaxed({.accelerator = Constant{.relaxation = 0.5}}, 40);
   CHECK(iterate(relaxed, problem, d) == 201);
-  d.assign(40, 0.0);
-  Acceleration quasi_newton({.accelerator = IqnIls{}}, 40);
-  CHECK(iterate(quasi_newton, problem, d) < 40);
+  for (const Accelerator& method : {Accelerator(IqnIls{}), Accelerator(IqnImvj{})})
+  {
+    d.assign(40, 0.0);
+    Acceleration quasi_newton({.accelerator = method}, 40);
+    CHECK(iterate(quasi_newton, problem, d) < 40);
+  }
 }
 
 TEST_CASE("a second step of the same linear problem needs one correction only")
@@ -285,7 +291,7 @@ TEST_CASE("no more columns than unknowns are used")
 
 TEST_CASE("a zero residual leaves d where it is and spoils nothing, for every method")
 {
-  for (const Accelerator& method : {Accelerator(Constant{}), Accelerator(Aitken{}), Accelerator(IqnIls{})})
+  for (const Accelerator& method : every_method)
   {
     Acceleration acceleration({.accelerator = method}, 3);
     Vector d(3, 0.0);
@@ -306,12 +312,16 @@ TEST_CASE("a zero residual leaves d where it is and spoils nothing, for every me
 TEST_CASE("quasi-Newton does not undo the step of the solvers for ever")
 {
   // V = W makes d~ + W c = d exactly: the plain formula would repeat the same input.
-  Acceleration acceleration({.accelerator = IqnIls{.initial = 0.5}}, 1);
-  acceleration.restore(taught({1.0}, {1.0}, 1));
-  Vector d = {2.0};
-  acceleration.start_step();
-  acceleration.next(d, Vector{3.0});
-  CHECK(d[0] == doctest::Approx(2.5));
+  for (const Accelerator& method :
+       {Accelerator(IqnIls{.initial = 0.5}), Accelerator(IqnImvj{.initial = 0.5})})
+  {
+    Acceleration acceleration({.accelerator = method}, 1);
+    acceleration.restore(taught({1.0}, {1.0}, 1));
+    Vector d = {2.0};
+    acceleration.start_step();
+    acceleration.next(d, Vector{3.0});
+    CHECK(d[0] == doctest::Approx(2.5));
+  }
 }
 
 TEST_CASE("an answer that is no number does not enter the columns")
@@ -324,9 +334,75 @@ TEST_CASE("an answer that is no number does not enter the columns")
   CHECK(acceleration.history().V.empty());
 }
 
+TEST_CASE("a Jacobian carried from step to step is the least change that fits the columns of the step")
+{
+  // Two steps with one column each. J_1 = W_1 V_1^+; J_2 = J_1 + (W_2 - J_1 V_2) V_2^+, by hand for
+  // v_1 = (1, 0), w_1 = (2, 1), v_2 = (1, 1), w_2 = (0, 4): J_1 = [2 0; 1 0], J_2 = J_1 + (-2, 3) (1/2, 1/2)
+  // = [1 -1; 2.5 1.5].
+  Acceleration acceleration({.accelerator = IqnImvj{}}, 2);
+  History history = taught({1.0, 0.0, 1.0, 1.0}, {2.0, 1.0, 0.0, 4.0}, 1);
+  history.columns_per_step = {1, 1, 0};
+  acceleration.restore(history);
+  Vector d = {10.0, 20.0};
+  const Vector r = {3.0, -2.0};
+  acceleration.start_step();
+  acceleration.next(d, Vector{13.0, 18.0});
+  CHECK(d[0] == doctest::Approx(13.0 - (1.0 * r[0] - 1.0 * r[1])));
+  CHECK(d[1] == doctest::Approx(18.0 - (2.5 * r[0] + 1.5 * r[1])));
+}
+
+TEST_CASE("with the columns of one step only, both quasi-Newton methods do the same")
+{
+  const AddedMass problem = loaded(20, 10.0);
+  Acceleration ils({.accelerator = IqnIls{.reuse = 0}}, 20);
+  Acceleration imvj({.accelerator = IqnImvj{.reuse = 0}}, 20);
+  Vector d(20, 0.0), e(20, 0.0), answer(20);
+  for (int k = 0; k < 8; ++k)
+  {
+    problem(d, answer);
+    ils.next(d, answer);
+    problem(e, answer);
+    imvj.next(e, answer);
+    CHECK(test::distance(d, e) < 1e-12);
+  }
+}
+
+TEST_CASE("a carried Jacobian is exact for a linear problem once its columns span the residuals")
+{
+  AddedMass problem(30, 10.0);
+  problem.set_load({1.0, 2.0, 3.0});
+  Acceleration acceleration({.accelerator = IqnImvj{.filter = 1e-10}}, 30);
+  Vector d(30, 0.0);
+  CHECK(iterate(acceleration, problem, d, 1e-8) > 3);
+  CHECK(test::distance(d, problem.solution()) < 1e-7);
+  problem.set_load({-1.0, 1.0, 0.5});
+  CHECK(iterate(acceleration, problem, d, 1e-8) == 2);
+  CHECK(test::distance(d, problem.solution()) < 1e-7);
+}
+
+TEST_CASE(
+    "a carried Jacobian knows in a step what the steps before have learnt, without a filter between them")
+{
+  const auto evaluations = [](int reuse)
+  {
+    AddedMass problem(60, 10.0);
+    Acceleration acceleration({.accelerator = IqnImvj{.reuse = reuse}}, 60);
+    Vector d(60, 0.0);
+    int sum = 0;
+    for (int step = 1; step <= 20; ++step)
+    {
+      const double t = 0.05 * step;
+      problem.set_load({std::sin(3 * t), std::cos(2 * t), std::sin(t), 0.3 * std::sin(7 * t)});
+      sum += iterate(acceleration, problem, d, 1e-6);
+    }
+    return sum;
+  };
+  CHECK(evaluations(20) < 0.7 * evaluations(0));
+}
+
 TEST_CASE("a restored accelerator continues bit for bit, between steps and in the middle of one")
 {
-  for (const Accelerator& method : {Accelerator(Constant{}), Accelerator(Aitken{}), Accelerator(IqnIls{})})
+  for (const Accelerator& method : every_method)
     for (const int interruption : {0, 3})
     {
       AddedMass problem = loaded(15, 0.8);
@@ -373,6 +449,8 @@ TEST_CASE("parameters out of range are refused")
                        Error);
   CHECK_THROWS_WITH_AS(Acceleration({.accelerator = IqnIls{.reuse = -1}}, 1),
                        "the coupling reuses -1 steps; choose 0 or more", Error);
+  CHECK_THROWS_WITH_AS(Acceleration({.accelerator = IqnImvj{.reuse = -2}}, 1),
+                       "the coupling reuses -2 steps; choose 0 or more", Error);
   CHECK_THROWS_WITH_AS(Acceleration({.accelerator = IqnIls{.filter = 1.0}}, 1),
                        "the filter of the coupling is 1; choose at least 0 and below 1", Error);
 }

@@ -159,9 +159,11 @@ TEST_CASE("over a series of steps quasi-Newton with reuse needs few evaluations,
     }
     return sum / 25.0;
   };
-  const double aitken = mean(Aitken{}), fresh = mean(IqnIls{.reuse = 0}), reused = mean(IqnIls{});
-  MESSAGE("evaluations per step: Aitken " << aitken << ", quasi-Newton " << fresh << ", with reuse "
-                                          << reused);
+  const double aitken = mean(Aitken{}), fresh = mean(IqnIls{.reuse = 0}), reused = mean(IqnIls{}),
+               carried = mean(IqnImvj{});
+  MESSAGE("evaluations per step: Aitken " << aitken << ", quasi-Newton " << fresh << ", with reuse " << reused
+                                          << ", with a carried Jacobian " << carried);
   CHECK(fresh < aitken);
   CHECK(reused < 5.0);
+  CHECK(carried < 5.0);
 }
