@@ -70,12 +70,35 @@ const Keys<Parameters>& solid_keys()
       {{"body_force", "[formula, formula] in x, y, t", "[0, 0]", "m/s^2", "force per mass"},
        [](const Value& v, Reading& r, Parameters& p)
        { p.body_force = sampled_vector(v, r, in_space_and_time, p.region, false); }},
+      {{"initial_velocity", "[formula, formula] in x, y", "[0, 0]", "m/s",
+        "velocity of the undeformed body at the start"},
+       [](const Value& v, Reading& r, Parameters& p)
+       { p.initial_velocity = sampled_vector(v, r, in_space, p.region, false); }},
       {{"load_steps", "whole number", fmt::format("{}", defaults.load_steps), "",
         "steps in which the load of a static solution is raised"},
        [](const Value& v, Reading& r, Parameters& p) { p.load_steps = integer(v, r.constants, 1, 100000); }},
       {{"newton", "table", "see below", "", "Newton's method"},
        [](const Value& v, Reading& r, Parameters& p) { read_keys(v, newton_keys(), r, p.newton); }}};
   return keys;
+}
+
+solid::Displacement displacement(const Value& value, Reading& reading, const std::string& boundary)
+{
+  const Value::List& entries = list(value);
+  if (entries.size() != 2)
+    fail(value, fmt::format("found {}, allowed is a list of two numbers, formulas in x, y, t or \"free\"",
+                            found(value)));
+  solid::Displacement result;
+  for (std::size_t i = 0; i < entries.size(); ++i)
+  {
+    const auto* word = std::get_if<std::string>(&entries[i].content);
+    result.is_free[i] = word != nullptr && *word == "free";
+    if (!result.is_free[i])
+      result.value[i] = sampled(entries[i], reading, in_space_and_time, boundary, true);
+  }
+  if (result.is_free[0] && result.is_free[1])
+    fail(value, "both directions are free; say free = true instead");
+  return result;
 }
 
 const Keys<solid::BoundaryCondition>& condition_keys()
@@ -88,9 +111,9 @@ const Keys<solid::BoundaryCondition>& condition_keys()
          yes(v);
          b.condition = solid::Fixed{};
        }},
-      {{"displacement", "[formula, formula] in x, y, t", "", "m", "prescribed displacement"},
-       [](const Value& v, Reading& r, Target& b)
-       { b.condition = solid::Displacement{sampled_vector(v, r, in_space_and_time, b.boundary, true)}; }},
+      {{"displacement", "[formula or \"free\", formula or \"free\"] in x, y, t", "", "m",
+        "prescribed displacement; no traction where it is free"},
+       [](const Value& v, Reading& r, Target& b) { b.condition = displacement(v, r, b.boundary); }},
       {{"traction", "0 or [formula, formula] in x, y, t", "", "Pa", "dead traction per undeformed area"},
        [](const Value& v, Reading& r, Target& b)
        { b.condition = solid::Traction{traction(v, r, b.boundary)}; }},

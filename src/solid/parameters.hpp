@@ -16,10 +16,11 @@ struct Fixed
 {
 };
 
-/// Prescribed displacement [m] of x, y, z, t.
+/// Prescribed displacement [m] of x, y, z, t in the directions that are not free; no traction in these.
 struct Displacement
 {
   std::array<Expression, 3> value;
+  std::array<bool, 3> is_free = {};
 };
 
 /// Dead traction P N [Pa] per area of the undeformed body, of x, y, z, t; the default where nothing is said
@@ -57,8 +58,9 @@ struct Parameters
   double young = 1e6;       ///< of the St. Venant-Kirchhoff material [Pa]
   double poisson = 0.3;     ///< [-]
   Plane plane = Plane::strain;
-  std::array<Expression, 3> body_force;  ///< per mass [m/s^2]
-  int load_steps = 1;                    ///< of a static solution
+  std::array<Expression, 3> body_force;        ///< per mass [m/s^2]
+  std::array<Expression, 3> initial_velocity;  ///< [m/s]
+  int load_steps = 1;                          ///< of a static solution
   std::vector<BoundaryCondition> boundaries;
   Newton newton;
 };

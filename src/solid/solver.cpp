@@ -86,8 +86,8 @@ std::vector<Solver::Prescribed> Solver::find_prescribed(const Parameters& parame
                                                         const linalg::Numbering& numbering)
 {
   // Where boundaries meet, a fixed one wins over a prescribed displacement.
-  std::vector<int> winner(mesh.node_count(), 0);
-  std::vector<const Displacement*> values(mesh.node_count(), nullptr);
+  std::vector<int> winner(2 * mesh.node_count(), 0);
+  std::vector<const Displacement*> values(winner.size(), nullptr);
   for (const BoundaryCondition& condition : parameters.boundaries)
   {
     const auto* displacement = std::get_if<Displacement>(&condition.condition);
@@ -95,18 +95,18 @@ std::vector<Solver::Prescribed> Solver::find_prescribed(const Parameters& parame
       continue;
     const int rank = displacement != nullptr ? 1 : 2;
     const std::vector<std::uint8_t> marks = fem::nodes_on(mesh, numbering, condition.boundary);
-    for (std::size_t node = 0; node < marks.size(); ++node)
-      if (marks[node] != 0 && rank > winner[node])
+    for (std::size_t i = 0; i < winner.size(); ++i)
+      if (marks[i / 2] != 0 && rank > winner[i] && !(displacement != nullptr && displacement->is_free[i % 2]))
       {
-        winner[node] = rank;
-        values[node] = displacement;
+        winner[i] = rank;
+        values[i] = displacement;
       }
   }
   std::vector<Prescribed> result;
-  for (std::size_t node = 0; node < winner.size(); ++node)
-    for (int c = 0; c < 2 && winner[node] > 0; ++c)
-      result.push_back({static_cast<std::int32_t>(node), c,
-                        values[node] != nullptr ? values[node]->value[c] : Expression()});
+  for (std::size_t i = 0; i < winner.size(); ++i)
+    if (winner[i] > 0)
+      result.push_back({static_cast<std::int32_t>(i / 2), static_cast<int>(i % 2),
+                        values[i] != nullptr ? values[i]->value[i % 2] : Expression()});
   return result;
 }
 
@@ -132,8 +132,11 @@ Solver::Solver(const Parameters& parameters, const mesh::Mesh& mesh, const linal
 
 State Solver::initial() const
 {
-  const std::vector<double> zero(2 * mesh_->node_count(), 0.0);
-  return {zero, zero, 0.0};
+  State state;
+  state.d.assign(2 * mesh_->node_count(), 0.0);
+  state.v.resize(state.d.size());
+  fem::evaluate_at_nodes(parameters_.initial_velocity, X_, 0.0, state.v);
+  return state;
 }
 
 void Solver::apply_conditions(double time, double factor, std::span<double> d) const

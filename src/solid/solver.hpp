@@ -38,6 +38,7 @@ public:
   Solver(const Parameters& parameters, const mesh::Mesh& mesh, const linalg::Numbering& numbering,
          std::span<const double> X, Timings& timings);
 
+  /// The undeformed body with its initial velocity.
   State initial() const;
 
   /// Displacement at the end of a step under nodal loads [N/m], shape (node_count, 2), that act at

@@ -65,6 +65,56 @@ TEST_CASE("a bar under a dead traction stretches as St. Venant and Kirchhoff say
   }
 }
 
+TEST_CASE("between walls along which it slips a bar is stretched by its modulus for uniaxial strain")
+{
+  Bar bar(2);
+  bar.parameters.poisson = 0.3;
+  const solid::Lame lame = solid::lame(bar.parameters.young, 0.3, solid::Plane::strain);
+  const double stretch = 1.2;
+  bar.parameters.boundaries[1].condition =
+      solid::Traction{{0.5 * (lame.lambda + 2.0 * lame.mu) * stretch * (stretch * stretch - 1.0), 0.0, 0.0}};
+  const solid::Displacement slips{{}, {true, false, false}};
+  bar.parameters.boundaries[2].condition = slips;
+  bar.parameters.boundaries[3].condition = slips;
+  solid::Solver solver = bar.solver();
+  std::vector<double> d = bar.zero();
+  REQUIRE(solver.solve_static(bar.zero(), d).status == linalg::NewtonStatus::converged);
+  for (std::size_t i = 0; i < d.size(); i += 2)
+  {
+    CHECK(d[i] == doctest::Approx((stretch - 1.0) * bar.sample.x[i]).epsilon(1e-10));
+    CHECK(std::abs(d[i + 1]) < 1e-12);
+  }
+}
+
+TEST_CASE("a fixed end holds a bar in both directions, also where it slips along another boundary")
+{
+  Bar bar(1);
+  bar.parameters.boundaries[2].condition = solid::Displacement{{}, {true, false, false}};
+  bar.parameters.body_force = {3.0, 0.0, 0.0};
+  solid::Solver solver = bar.solver();
+  std::vector<double> d = bar.zero();
+  REQUIRE(solver.solve_static(bar.zero(), d).status == linalg::NewtonStatus::converged);
+  CHECK(d[2 * bar.sample.mesh.cell(0)[0]] == 0.0);
+  CHECK(d[2 * bar.sample.mesh.cell(3)[1]] > 0.01);
+}
+
+TEST_CASE("a free body with an initial velocity flies on with it")
+{
+  Bar bar(2);
+  bar.parameters.boundaries[0].condition = solid::Traction{};
+  bar.parameters.initial_velocity = {0.5, -2.0, 0.0};
+  solid::Solver solver = bar.solver();
+  const solid::State start = solver.initial();
+  std::vector<double> d = bar.zero();
+  REQUIRE(solver.advance({0.0, 0.1, 0.5, 0.5}, start, bar.zero(), d).status ==
+          linalg::NewtonStatus::converged);
+  for (std::size_t i = 0; i < d.size(); i += 2)
+  {
+    CHECK(d[i] == doctest::Approx(0.05));
+    CHECK(d[i + 1] == doctest::Approx(-0.2));
+  }
+}
+
 TEST_CASE("nodal loads act as a traction with the same resultant does")
 {
   Bar bar(1);
