@@ -118,7 +118,8 @@ void check_enclosed(const Case& read, const Value& root)
       std::none_of(read.fluid->boundaries.begin(), read.fluid->boundaries.end(), lets_out))
     fail(section_value(root, "fluid"), "every boundary prescribes the velocity, but an enclosed "
                                        "incompressible fluid keeps its volume and cannot "
-                                       "make room for a moving solid; give one boundary traction or outflow");
+                                       "make room for a moving solid (the incompressibility dilemma); give "
+                                       "one boundary traction or outflow");
 }
 
 void check_held(const Case& read, const Value& root)
