@@ -89,6 +89,10 @@ struct Connected
 /// the same names on every process. Throws Error if no block has this region.
 Connected connect(const Layout& layout, const Skeleton& skeleton, std::string_view region, Part part);
 
+/// The sides (indices into the edges in 2D, the faces in 3D) between two regions, ascending.
+std::vector<int> interface_sides(const Layout& layout, const Skeleton& skeleton, std::string_view region_a,
+                                 std::string_view region_b);
+
 /// Skeleton numbers of the nodes on all sides between two regions, ascending; the same on every process.
 std::vector<std::int64_t> interface_nodes(const Layout& layout, const Skeleton& skeleton,
                                           std::string_view region_a, std::string_view region_b);

@@ -156,10 +156,10 @@ Skeleton make_skeleton(const Layout& given)
   return skeleton;
 }
 
-std::vector<std::int64_t> interface_nodes(const Layout& layout, const Skeleton& skeleton,
-                                          std::string_view region_a, std::string_view region_b)
+std::vector<int> interface_sides(const Layout& layout, const Skeleton& skeleton, std::string_view region_a,
+                                 std::string_view region_b)
 {
-  std::vector<std::int64_t> nodes;
+  std::vector<int> sides;
   for (int side = 0; side < side_count(skeleton); ++side)
   {
     const std::vector<int>& blocks = side_blocks(skeleton, side);
@@ -167,9 +167,19 @@ std::vector<std::int64_t> interface_nodes(const Layout& layout, const Skeleton& 
       continue;
     const std::string_view first = layout.blocks[blocks[0]].region;
     const std::string_view second = layout.blocks[blocks[1]].region;
-    if (first == second ||
-        !((first == region_a && second == region_b) || (first == region_b && second == region_a)))
-      continue;
+    if (first != second &&
+        ((first == region_a && second == region_b) || (first == region_b && second == region_a)))
+      sides.push_back(side);
+  }
+  return sides;
+}
+
+std::vector<std::int64_t> interface_nodes(const Layout& layout, const Skeleton& skeleton,
+                                          std::string_view region_a, std::string_view region_b)
+{
+  std::vector<std::int64_t> nodes;
+  for (const int side : interface_sides(layout, skeleton, region_a, region_b))
+  {
     const std::vector<std::int32_t> numbers = side_numbers(skeleton, side);
     nodes.insert(nodes.end(), numbers.begin(), numbers.end());
   }

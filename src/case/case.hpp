@@ -68,6 +68,11 @@ struct Case
   coupling::Parameters coupling;
   output::Parameters output;
   std::string petsc_options;  ///< passed through to PETSc
+
+  /// Whether the solid divides the blocks otherwise than the layout says.
+  bool solid_differs() const;
+  /// The blocks as the solid divides them. Throws Error where their gradings do not allow it.
+  block::Layout solid_layout() const;
 };
 
 /// Reads and checks a case file. `overrides` are assignments "key.path=value" in TOML syntax that replace

@@ -132,6 +132,21 @@ void check_held(const Case& read, const Value& root)
          "nothing holds the body, so it has no steady state; give one boundary fixed or displacement");
 }
 
+/// Cells of its own may not fit the gradings.
+void check_solid_blocks(const Case& read, const Value& root)
+{
+  if (!read.solid_differs())
+    return;
+  try
+  {
+    block::make_skeleton(read.solid_layout());
+  }
+  catch (const Error& error)
+  {
+    throw error.within("order or divide of [solid]").at(section_value(root, "solid").where);
+  }
+}
+
 /// Rules that run in a circle or move the interface would only show when the run begins.
 void check_follows(const Case& read, const block::Skeleton& skeleton, const Motion& motion,
                    const std::string& path)
@@ -256,6 +271,7 @@ void check(const Case& read, const Reading& reading, const Value& root)
   if (read.solid)
     check_conditions(read, outline, section_value(root, "solid"), read.solid->region, read.solid->boundaries,
                      "{ free = true }");
+  check_solid_blocks(read, root);
   check_enclosed(read, root);
   check_held(read, root);
   check_motion(read, skeleton, outline, read.motion, "[motion]");

@@ -59,6 +59,11 @@ const Keys<Parameters>& solid_keys()
   static const Keys<Parameters> keys = {
       {{"region", "text", defaults.region, "", "region of blocks that is solid"},
        [](const Value& v, Reading&, Parameters& p) { p.region = text(v); }},
+      {{"order", "whole number", "that of [blocks]", "", "polynomial order of its cells, 1 to 8"},
+       [](const Value& v, Reading& r, Parameters& p) { p.order = integer(v, r.constants, 1, 8); }},
+      {{"divide", "number", fmt::format("{}", defaults.divide), "-",
+        "its cells along an edge of the blocks, relative to those of the fluid; rounded, at least one"},
+       [](const Value& v, Reading& r, Parameters& p) { p.divide = number(v, r.constants, positive); }},
       {{"density", "number", "required", "kg/m^3", "density of the undeformed body"},
        [](const Value& v, Reading& r, Parameters& p) { p.density = number(v, r.constants, positive); }},
       {{"model", "table", "required", "", "the material, one of the models below"},

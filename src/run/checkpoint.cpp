@@ -76,6 +76,7 @@ output::Arrays Simulation::save() const
 {
   output::Arrays arrays;
   arrays["skeleton"] = skeleton_.x;
+  arrays["solid.skeleton"] = solid_skeleton_x_;
   arrays["step"] = std::vector<std::int64_t>{step_, start_step_, rough_step_};
   arrays["time"] = std::vector<double>{time_, start_time_, case_.time.step};
   if (fluid_)
@@ -107,9 +108,10 @@ output::Arrays Simulation::save() const
 
 void Simulation::restore(const output::Arrays& arrays)
 {
-  if (output::get<std::vector<double>>(arrays, "skeleton") != skeleton_.x)
-    throw Error(fmt::format("{}its blocks or divisions are others; start anew without --restart", mismatch));
   using Values = std::vector<double>;
+  if (output::get<Values>(arrays, "skeleton") != skeleton_.x ||
+      output::get<Values>(arrays, "solid.skeleton") != solid_skeleton_x_)
+    throw Error(fmt::format("{}its blocks or divisions are others; start anew without --restart", mismatch));
   const Values clock = take(arrays, "time", 3);
   const bool same_steps = clock[2] == case_.time.step;
   const auto steps = output::get<std::vector<std::int64_t>>(arrays, "step");
@@ -131,7 +133,7 @@ void Simulation::restore(const output::Arrays& arrays)
     history.omega = take(arrays, "coupling.omega", 1)[0];
     acceleration_->restore(std::move(history));
     for (std::size_t i = 0; i < history_.size(); ++i)
-      history_[i] = take(arrays, fmt::format("interface.{}", i), 2 * interface_.size());
+      history_[i] = take(arrays, fmt::format("interface.{}", i), interface_points_.size());
     const Values step = take(arrays, "interface.step", 2);
     history_step_ = step[0];
     history_count_ = static_cast<int>(step[1]);

@@ -13,11 +13,12 @@ namespace blockfsi::run
 {
 
 FluidSide::FluidSide(const case_file::Case& description, const block::Skeleton& skeleton,
-                     const std::vector<std::int64_t>& interface, Timings& timings)
+                     const std::vector<std::int64_t>& interface, coupling::Transfer transfer,
+                     Timings& timings)
     : timings_(&timings),
       connected_(block::connect(description.layout, skeleton, description.fluid->region, linalg::part())),
       numbering_(connected_.mesh.lattice, connected_.mesh.owner), interface_(interface, connected_.mesh),
-      x_(block::initial_nodes(connected_, skeleton)),
+      transfer_(std::move(transfer)), x_(block::initial_nodes(connected_, skeleton)),
       motion_(
           make_update(description, {skeleton, connected_.plan, connected_.mesh, numbering_, x_, interface})),
       displacement_(2 * interface.size(), 0.0), x_new_(x_), x_geometry_(x_), w_(x_.size(), 0.0),
@@ -40,9 +41,9 @@ motion::Report FluidSide::move(std::span<const double> displacement)
   motion::Report report;
   {
     const Stopwatch watch(*timings_, Task::place);
-    report = motion::follow(motion_, displacement, x_new_);
+    transfer_.to_fluid(displacement, displacement_);
+    report = motion::follow(motion_, displacement_, x_new_);
     motion::mesh_velocity(step_, x_, x_new_, x_geometry_, w_);
-    displacement_.assign(displacement.begin(), displacement.end());
   }
   reaction_known_ = false;
   measure();
@@ -58,7 +59,9 @@ void FluidSide::load(std::span<double> values)
 {
   reaction_ = solver_.reaction(step_, state_, mesh_motion(), z_);
   reaction_known_ = true;
-  interface_.gather(reaction_, 3, values);
+  std::vector<double> on_fluid(2 * interface_.count());
+  interface_.gather(reaction_, 3, on_fluid);
+  transfer_.to_solid(on_fluid, values);
   for (double& value : values)
     value = -value;
 }
@@ -99,8 +102,8 @@ void FluidSide::restore(fluid::State state, std::span<const double> displacement
 {
   state_ = std::move(state);
   motion::recall(motion_, mesh_memory);
-  displacement_.assign(displacement.begin(), displacement.end());
-  if (const motion::Report report = motion::follow(motion_, displacement, x_); !report.ok)
+  transfer_.to_fluid(displacement, displacement_);
+  if (const motion::Report report = motion::follow(motion_, displacement_, x_); !report.ok)
     throw std::runtime_error(report.failure);
   x_new_ = x_;
   measure();

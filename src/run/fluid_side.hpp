@@ -4,6 +4,7 @@
 #include "case/case.hpp"
 #include "core/timing.hpp"
 #include "coupling/interface.hpp"
+#include "coupling/transfer.hpp"
 #include "fluid/solver.hpp"
 #include "linalg/numbering.hpp"
 #include "mesh/quality.hpp"
@@ -22,20 +23,22 @@ namespace blockfsi::run
 class FluidSide
 {
 public:
-  /// `interface`: skeleton numbers of the nodes that the solid moves; empty for a flow alone.
+  /// `interface`: skeleton numbers of the nodes that the solid moves; empty for a flow alone. `transfer`: how
+  /// they hang on the solid's nodes there.
   FluidSide(const case_file::Case& description, const block::Skeleton& skeleton,
-            const std::vector<std::int64_t>& interface, Timings& timings);
+            const std::vector<std::int64_t>& interface, coupling::Transfer transfer, Timings& timings);
   FluidSide(const FluidSide&) = delete;
   FluidSide& operator=(const FluidSide&) = delete;
 
   /// Prepares a step from the accepted state.
   void begin(const fem::TimeStep& step);
-  /// Moves the mesh to a displacement of the interface at the end of the step [m], shape (interface count,
-  /// 2). Nothing may be solved on it if that failed or if certify_moved does not prove all cells valid.
+  /// Moves the mesh to a displacement of the solid's interface at the end of the step [m], shape
+  /// (transfer.solid_count, 2). Nothing may be solved on it if that failed or if certify_moved does not prove
+  /// all cells valid.
   [[nodiscard]] motion::Report move(std::span<const double> displacement);
   /// Solves the flow on the mesh as it was moved.
   [[nodiscard]] linalg::NewtonReport solve();
-  /// Force of the fluid on the interface nodes [N/m], shape (interface count, 2), written.
+  /// Force of the fluid on the solid's interface nodes [N/m], shape (transfer.solid_count, 2), written.
   void load(std::span<double> values);
   /// Makes the solved step the accepted state.
   void accept();
@@ -63,8 +66,8 @@ public:
 
   /// What the next mesh depends on besides the interface.
   std::vector<double> mesh_memory() const { return motion::memory(motion_); }
-  /// For a restart: the accepted state, and the displacement of the interface and the memory of the mesh that
-  /// belong to it. Throws Error if the memory is that of another way of moving.
+  /// For a restart: the accepted state, and the displacement of the solid's interface and the memory of the
+  /// mesh that belong to it. Throws Error if the memory is that of another way of moving.
   void restore(fluid::State state, std::span<const double> displacement, std::span<const double> mesh_memory);
 
 private:
@@ -75,9 +78,10 @@ private:
   block::Connected connected_;
   linalg::Numbering numbering_;
   coupling::Interface interface_;
+  coupling::Transfer transfer_;
   std::vector<double> x_;
   motion::Update motion_;
-  std::vector<double> displacement_;  ///< as last moved
+  std::vector<double> displacement_;  ///< of the fluid's interface nodes, as last moved
   std::vector<double> x_new_;
   std::vector<double> x_geometry_;
   std::vector<double> w_;

@@ -1,6 +1,7 @@
 #include "run/simulation.hpp"
 
 #include "linalg/communicator.hpp"
+#include "run/interfaces.hpp"
 
 #include <fmt/format.h>
 
@@ -46,15 +47,22 @@ std::string explain(std::string_view what, const linalg::NewtonReport& report)
 Simulation::Simulation(const case_file::Case& description)
     : case_(description), skeleton_(block::make_skeleton(description.layout))
 {
-  if (case_.fluid && case_.solid)
-    interface_ = block::interface_nodes(case_.layout, skeleton_, case_.fluid->region, case_.solid->region);
+  const Interfaces interfaces = match_interfaces(case_, skeleton_);
+  const auto& own = interfaces.own;
+  const block::Skeleton& solid_skeleton = own ? own->skeleton : skeleton_;
+  for (const std::int64_t node : interfaces.solid)
+    interface_points_.insert(interface_points_.end(),
+                             {solid_skeleton.x[2 * node], solid_skeleton.x[2 * node + 1]});
   if (case_.fluid)
-    fluid_ = std::make_unique<FluidSide>(case_, skeleton_, interface_, timings_);
+    fluid_ = std::make_unique<FluidSide>(case_, skeleton_, interfaces.fluid, interfaces.transfer, timings_);
   if (case_.solid)
-    solid_ = std::make_unique<SolidSide>(case_.layout, skeleton_, *case_.solid, interface_, timings_);
+    solid_ = std::make_unique<SolidSide>(own ? own->layout : case_.layout, solid_skeleton, *case_.solid,
+                                         interfaces.solid, timings_);
+  if (own)
+    solid_skeleton_x_ = own->skeleton.x;
   if (fluid_ && solid_)
-    acceleration_ = std::make_unique<coupling::Acceleration>(case_.coupling, 2 * interface_.size());
-  history_.assign(3, std::vector<double>(2 * interface_.size(), 0.0));
+    acceleration_ = std::make_unique<coupling::Acceleration>(case_.coupling, interface_points_.size());
+  history_.assign(3, std::vector<double>(interface_points_.size(), 0.0));
 }
 
 Simulation::~Simulation() = default;
@@ -167,7 +175,7 @@ bool Simulation::substep(const fem::TimeStep& step, StepReport& report)
 
 bool Simulation::couple(const fem::TimeStep& step, StepReport& report)
 {
-  std::vector<double> d(2 * interface_.size());
+  std::vector<double> d(interface_points_.size());
   const int known = step.step == history_step_ ? history_count_ : 0;
   coupling::predict(std::min(case_.coupling.predictor, known), history_[0], history_[1], history_[2], d);
   const coupling::Limits limits{case_.coupling.tolerance, case_.coupling.iterations, 0.0};

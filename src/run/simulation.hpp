@@ -62,11 +62,14 @@ public:
   const FluidSide* fluid() const { return fluid_.get(); }
   const SolidSide* solid() const { return solid_.get(); }
   const block::Skeleton& skeleton() const { return skeleton_; }
-  /// Skeleton numbers of the nodes of the interface, ascending.
-  std::span<const std::int64_t> interface() const { return interface_; }
+  /// First positions of the solid's nodes on the interface [m], shape (solid interface count, 2).
+  std::span<const double> interface_points() const { return interface_points_; }
   const case_file::Case& description() const { return case_; }
   Timings& timings() { return timings_; }
   std::int64_t unknown_count() const;
+  /// Accepted displacement of the solid's interface that the fluid has followed [m], shape (solid interface
+  /// count, 2).
+  std::span<const double> interface_displacement() const { return history_.front(); }
 
   /// Everything that the next step depends on, for this process.
   output::Arrays save() const;
@@ -90,7 +93,8 @@ private:
   case_file::Case case_;
   Timings timings_;
   block::Skeleton skeleton_;
-  std::vector<std::int64_t> interface_;
+  std::vector<double> interface_points_;
+  std::vector<double> solid_skeleton_x_;  ///< empty where the solid shares the skeleton
   std::unique_ptr<FluidSide> fluid_;
   std::unique_ptr<SolidSide> solid_;
   std::unique_ptr<coupling::Acceleration> acceleration_;

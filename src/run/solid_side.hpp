@@ -33,7 +33,10 @@ public:
 
   const mesh::Mesh& mesh() const { return connected_.mesh; }
   const linalg::Numbering& numbering() const { return numbering_; }
+  const coupling::Interface& interface() const { return interface_; }
   const solid::State& state() const { return state_; }
+  /// Loads at the nodes as last solved [N/m], shape (node_count, 2).
+  std::span<const double> load() const { return load_; }
   /// Nodes of the undeformed body [m], shape (node_count, 2).
   std::span<const double> X() const { return X_; }
   solid::Solver& solver() { return solver_; }

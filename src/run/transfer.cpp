@@ -58,15 +58,6 @@ Values gather(const Values& values, const std::vector<std::size_t>& from)
   return result;
 }
 
-/// First positions of the interface.
-Values interface_points(const Simulation& simulation)
-{
-  Values x;
-  for (const std::int64_t node : simulation.interface())
-    x.insert(x.end(), {simulation.skeleton().x[2 * node], simulation.skeleton().x[2 * node + 1]});
-  return x;
-}
-
 /// Finds points of one mesh in another one.
 class Finder
 {
@@ -199,7 +190,7 @@ Transfer::Transfer(const Simulation& from, const Simulation& to)
     if (!simulation->fluid() || !simulation->solid())
       throw Error(where, "[switch] to: both cases need a fluid and a solid");
   body_ = match(from.solid()->X(), to.solid()->X(), where);
-  interface_ = match(interface_points(from), interface_points(to), where);
+  interface_ = match(from.interface_points(), to.interface_points(), where);
 }
 
 TransferReport Transfer::carry(const Simulation& from, Simulation& to) const

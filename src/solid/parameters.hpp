@@ -54,6 +54,8 @@ struct Newton
 struct Parameters
 {
   std::string region = "solid";
+  int order = 0;            ///< of its cells; 0: that of the blocks
+  double divide = 1.0;      ///< number of its cells along an edge relative to that of the blocks [-]
   double density = 1000.0;  ///< of the undeformed body [kg/m^3]
   double young = 1e6;       ///< of the St. Venant-Kirchhoff material [Pa]
   double poisson = 0.3;     ///< [-]
