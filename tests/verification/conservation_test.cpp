@@ -1,0 +1,168 @@
+// What passes between fluid and solid in a coupled step: force and work, and the volume of the fluid.
+
+#include "support.hpp"
+#include "whole_case.hpp"
+
+#include <cmath>
+#include <numeric>
+
+using namespace blockfsi;
+
+namespace
+{
+
+using Field = std::vector<double>;
+
+double dot(std::span<const double> a, std::span<const double> b)
+{
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+double norm(std::span<const double> a)
+{
+  return std::sqrt(dot(a, a));
+}
+
+Field difference(std::span<const double> a, std::span<const double> b)
+{
+  Field result(a.begin(), a.end());
+  for (std::size_t i = 0; i < b.size(); ++i)
+    result[i] -= b[i];
+  return result;
+}
+
+Field copy(std::span<const double> values)
+{
+  return {values.begin(), values.end()};
+}
+
+/// The integral of n . u over a boundary, n being the outward normal.
+double flux(const mesh::Mesh& mesh, std::span<const double> x, std::span<const double> u,
+            std::string_view boundary)
+{
+  const element::Rule rule = element::gauss(mesh.order + 2);
+  const element::Table table = element::lagrange(element::lobatto(mesh.order), rule.points);
+  double sum = 0.0;
+  for (const mesh::Side& side : mesh.boundaries.find(boundary)->second)
+    for (int q = 0; q < table.point_count; ++q)
+    {
+      verification::Vector tangent{}, velocity{};
+      for (int k = 0; k <= mesh.order; ++k)
+      {
+        const auto node =
+            static_cast<std::size_t>(mesh.cell(side.cell)[mesh::side_node(mesh.order, side.side, k)]);
+        for (std::size_t c = 0; c < 2; ++c)
+        {
+          tangent[c] += table.first[q * table.node_count + k] * x[2 * node + c];
+          velocity[c] += table.value[q * table.node_count + k] * u[2 * node + c];
+        }
+      }
+      // Nodes are counted along xi or eta: against the way round the cell on its third and fourth side.
+      sum += (side.side < 2 ? 1.0 : -1.0) * rule.weights[q] *
+             (velocity[0] * tangent[1] - velocity[1] * tangent[0]);
+    }
+  return sum;
+}
+
+/// The area that the boundaries enclose: half of the flux of x.
+double area(const mesh::Mesh& mesh, std::span<const double> x)
+{
+  double sum = 0.0;
+  for (const auto& [name, sides] : mesh.boundaries)
+    sum += 0.5 * flux(mesh, x, x, name);
+  return sum;
+}
+
+/// A flap that the flow bends in a few long steps.
+run::Simulation flap(std::vector<std::string> settings)
+{
+  for (const char* setting :
+       {"blocks.lattice.channel.divide.x=[2, 2, 4, 4]", "blocks.lattice.channel.divide.y=[2, 2, 1, 2, 2]",
+        "time.step=0.02", "time.end=0.2", "time.start_up=0", "fluid.newton.tolerance=1e-11"})
+    settings.emplace_back(setting);
+  return run::Simulation(verification::whole_case("wall-ramm-flap", settings));
+}
+
+const std::vector<std::vector<std::string>> variants = {
+    {"blocks.order=2"},
+    {"blocks.order=3"},
+    {"blocks.order=2", "time.scheme='backward-euler'"},
+    {"blocks.order=2", "solid.order=3"},
+    {"blocks.order=3", "solid.order=2", "solid.divide=2"},
+    {"blocks.order=2", "solid.divide=0.5"},
+    {"blocks.order=2", "solid.divide=1.5", "time.scheme='backward-euler'"}};
+
+std::string text(const std::vector<std::string>& settings)
+{
+  return std::accumulate(settings.begin(), settings.end(), std::string(),
+                         [](const std::string& all, const std::string& one) { return all + one + " "; });
+}
+
+}  // namespace
+
+TEST_CASE("force and work of the fluid on the interface are those that the solid gets, in every step")
+{
+  for (const auto& settings : variants)
+  {
+    CAPTURE(text(settings));
+    run::Simulation simulation = flap(settings);
+    const run::FluidSide& fluid = *simulation.fluid();
+    const run::SolidSide& solid = *simulation.solid();
+    Field x = copy(fluid.x()), d = copy(simulation.interface_displacement());
+    Field fluid_force(2 * fluid.interface().count()), solid_force(2 * solid.interface().count());
+    double greatest_work = 0.0;
+    verification::finish(simulation, [&] {
+      fluid.interface().gather(fluid.reaction(), 3, fluid_force);
+      solid.interface().gather(solid.load(), 2, solid_force);
+      for (std::size_t c = 0; c < 2; ++c)
+      {
+        double sum = 0.0;
+        for (std::size_t i = c; i < fluid_force.size(); i += 2)
+          sum += fluid_force[i];
+        for (std::size_t i = c; i < solid_force.size(); i += 2)
+          sum += solid_force[i];
+        CHECK(std::abs(sum) < 1e-13 * norm(fluid_force));
+      }
+      Field moved(fluid_force.size());
+      fluid.interface().gather(difference(fluid.x(), x), 2, moved);
+      const Field step = difference(simulation.interface_displacement(), d);
+      const double scale = norm(fluid_force) * norm(moved);
+      CHECK(std::abs(dot(fluid_force, moved) + dot(solid_force, step)) < 1e-12 * scale);
+      greatest_work = std::max(greatest_work, std::abs(dot(solid_force, step)) / scale);
+      x = copy(fluid.x());
+      d = copy(simulation.interface_displacement());
+    });
+    CHECK(greatest_work > 1e-3);
+  }
+}
+
+TEST_CASE("what flows into the fluid is what its volume grows by, in every step")
+{
+  for (const auto& settings : variants)
+  {
+    CAPTURE(text(settings));
+    run::Simulation simulation = flap(settings);
+    const run::FluidSide& fluid = *simulation.fluid();
+    const bool implicit = simulation.description().time.scheme == fem::Scheme::backward_euler;
+    const double step = simulation.description().time.step;
+    // The velocity of the step is that at t + theta step.
+    const double theta = implicit ? 1.0 : 0.5 + 1.0 / 80.0;
+    Field x = copy(fluid.x()), u = fluid.state().u;
+    double greatest_change = 0.0, greatest_error = 0.0;
+    verification::finish(simulation, [&] {
+      const Field now = copy(fluid.x());
+      const Field velocity = verification::between(u, fluid.state().u, theta);
+      const double inflow = -step * (flux(fluid.mesh(), now, velocity, "inlet") +
+                                     flux(fluid.mesh(), now, velocity, "outlet"));
+      const double change = area(fluid.mesh(), now) - area(fluid.mesh(), x);
+      const double throughput = step * std::abs(flux(fluid.mesh(), now, velocity, "inlet"));
+      greatest_error = std::max(greatest_error, std::abs(change - inflow) / throughput);
+      greatest_change = std::max(greatest_change, std::abs(change) / throughput);
+      x = now;
+      u = fluid.state().u;
+    });
+    MESSAGE(text(settings) << ": greatest change of volume per step " << greatest_change
+                           << " of the throughput, error of the balance " << greatest_error);
+    CHECK(greatest_error < 1e-11);
+  }
+}
