@@ -1,0 +1,129 @@
+// Oscillating shear of a fluid layer on an elastic layer (ver_fsi_shear_layers of the reference data).
+
+#include "support.hpp"
+#include "whole_case.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <complex>
+#include <memory>
+#include <numbers>
+
+using namespace blockfsi;
+
+namespace
+{
+
+using Complex = std::complex<double>;
+constexpr Complex i(0.0, 1.0);
+
+// The data of the case, for a velocity of 1e-3 m/s at the top.
+constexpr double omega = 2.0;
+constexpr double viscosity = 0.1;
+constexpr double amplitude = 2.490382008256359e-5;
+constexpr double wave = 2.0;  // omega sqrt(density / G)
+
+double exact_displacement(double y, double t)
+{
+  return amplitude * std::sin(wave * y) * std::sin(omega * t);
+}
+
+double exact_velocity(double y, double t)
+{
+  const Complex A = -i * amplitude;
+  const Complex k = std::sqrt(i * omega / viscosity);
+  const Complex B = wave * A * std::cos(wave) / (viscosity * k);
+  const Complex C = i * omega * A * std::sin(wave);
+  return std::real((B * std::sinh(k * (y - 1.0)) + C * std::cosh(k * (y - 1.0))) * std::exp(i * omega * t));
+}
+
+struct Layers
+{
+  int order = 3;
+  int cells = 4;  ///< across each layer
+  int steps = 20;
+  double end = 0.5;        ///< [s]
+  double amplitude = 1.0;  ///< relative to the case
+};
+
+std::unique_ptr<run::Simulation> finished(const Layers& layers)
+{
+  auto simulation = std::make_unique<run::Simulation>(verification::whole_case(
+      "shear-layers",
+      {fmt::format("blocks.order={}", layers.order),
+       fmt::format("blocks.lattice.layers.divide.y=[{0}, {0}]", layers.cells),
+       fmt::format("time.step={}", layers.end / layers.steps), fmt::format("time.end={}", layers.end),
+       fmt::format("let.a={}", layers.amplitude * amplitude), "coupling.tolerance=1e-9"}));
+  verification::finish(*simulation);
+  return simulation;
+}
+
+/// L2 norms of the differences of u and d to given functions.
+struct Errors
+{
+  double u = 0.0;
+  double d = 0.0;
+};
+
+template <typename Velocity, typename Displacement>
+Errors errors(const run::Simulation& simulation, Velocity velocity, Displacement displacement)
+{
+  const run::FluidSide& fluid = *simulation.fluid();
+  const run::SolidSide& solid = *simulation.solid();
+  const std::vector<double> x(fluid.x().begin(), fluid.x().end());
+  const std::vector<double> X(solid.X().begin(), solid.X().end());
+  return {verification::error(fluid.mesh(), x, fluid.state().u, 2, velocity),
+          verification::error(solid.mesh(), X, solid.state().d, 2, displacement)};
+}
+
+}  // namespace
+
+TEST_CASE("oscillating layers of fluid and solid are of second order in time")
+{
+  // Small against the exact solution, which is that of a linear solid, are the normal stresses of St. Venant
+  // and Kirchhoff: they grow with the square of the amplitude.
+  const auto of_steps = [](int steps)
+  {
+    const Layers layers{.order = 6, .cells = 2, .steps = steps, .end = 1.0, .amplitude = 1e-2};
+    const double t = layers.end;
+    const auto exact = [&](auto function)
+    {
+      return [=, &layers](double, double y) {
+        return verification::Vector{layers.amplitude * function(y, t), 0.0};
+      };
+    };
+    return errors(*finished(layers), exact(exact_velocity), exact(exact_displacement));
+  };
+  const Errors coarse = of_steps(10), fine = of_steps(20);
+  MESSAGE("errors of u " << coarse.u << " " << fine.u << ", order " << std::log2(coarse.u / fine.u)
+                         << "; of d " << coarse.d << " " << fine.d << ", order "
+                         << std::log2(coarse.d / fine.d));
+  CHECK(std::abs(std::log2(coarse.u / fine.u) - 2.0) < 0.15);
+  CHECK(std::abs(std::log2(coarse.d / fine.d) - 2.0) < 0.15);
+}
+
+TEST_CASE("coupled layers of fluid and solid are of order p + 1 in space")
+{
+  // Compared with order 8 in as many steps, so that the error in time drops out.
+  const auto best = finished({.order = 8, .cells = 3});
+  const run::FluidSide& fluid = *best->fluid();
+  const run::SolidSide& solid = *best->solid();
+  const auto velocity = [&](double x, double y) {
+    return verification::at(fluid.mesh(), fluid.x(), fluid.state().u, {x, y});
+  };
+  const auto displacement = [&](double x, double y) {
+    return verification::at(solid.mesh(), solid.X(), solid.state().d, {x, y});
+  };
+  for (int order = 1; order <= 4; ++order)
+  {
+    const int cells = order == 1 ? 8 : 4;
+    const Errors coarse = errors(*finished({.order = order, .cells = cells}), velocity, displacement);
+    const Errors fine = errors(*finished({.order = order, .cells = 2 * cells}), velocity, displacement);
+    MESSAGE("order " << order << ": errors of u " << coarse.u << " " << fine.u << ", rate "
+                     << std::log2(coarse.u / fine.u) << "; of d " << coarse.d << " " << fine.d << ", rate "
+                     << std::log2(coarse.d / fine.d));
+    CHECK(std::log2(coarse.u / fine.u) > order + 1 - 0.15);
+    CHECK(std::log2(coarse.d / fine.d) > order + 1 - 0.15);
+  }
+}
