@@ -12,7 +12,8 @@ bool Case::solid_differs() const
 
 block::Layout Case::solid_layout() const
 {
-  return block::resized(layout, solid->order != 0 ? solid->order : layout.order, solid->divide);
+  return block::resized(layout, solid->region, solid->order != 0 ? solid->order : layout.order,
+                        solid->divide);
 }
 
 }  // namespace blockfsi::case_file

@@ -73,12 +73,23 @@ double area(const mesh::Mesh& mesh, std::span<const double> x)
   return sum;
 }
 
-/// A flap that the flow bends in a few long steps.
+/// What flows in through all boundaries but the interface. Through slip walls, too: where they meet a
+/// prescribed velocity their last node has that.
+double inflow(const mesh::Mesh& mesh, std::span<const double> x, std::span<const double> u)
+{
+  double sum = 0.0;
+  for (const auto& [name, sides] : mesh.boundaries)
+    if (name != "interface")
+      sum -= flux(mesh, x, u, name);
+  return sum;
+}
+
+/// A flap that a strong flow bends in a few long steps.
 run::Simulation flap(std::vector<std::string> settings)
 {
   for (const char* setting :
        {"blocks.lattice.channel.divide.x=[2, 2, 4, 4]", "blocks.lattice.channel.divide.y=[2, 2, 1, 2, 2]",
-        "time.step=0.02", "time.end=0.2", "time.start_up=0", "fluid.newton.tolerance=1e-11"})
+        "time.step=0.02", "time.end=0.2", "time.start_up=0", "let.U=5", "fluid.newton.tolerance=1e-11"})
     settings.emplace_back(setting);
   return run::Simulation(verification::whole_case("wall-ramm-flap", settings));
 }
@@ -111,27 +122,34 @@ TEST_CASE("force and work of the fluid on the interface are those that the solid
     Field x = copy(fluid.x()), d = copy(simulation.interface_displacement());
     Field fluid_force(2 * fluid.interface().count()), solid_force(2 * solid.interface().count());
     double greatest_work = 0.0;
-    verification::finish(simulation, [&] {
-      fluid.interface().gather(fluid.reaction(), 3, fluid_force);
-      solid.interface().gather(solid.load(), 2, solid_force);
-      for (std::size_t c = 0; c < 2; ++c)
-      {
-        double sum = 0.0;
-        for (std::size_t i = c; i < fluid_force.size(); i += 2)
-          sum += fluid_force[i];
-        for (std::size_t i = c; i < solid_force.size(); i += 2)
-          sum += solid_force[i];
-        CHECK(std::abs(sum) < 1e-13 * norm(fluid_force));
-      }
-      Field moved(fluid_force.size());
-      fluid.interface().gather(difference(fluid.x(), x), 2, moved);
-      const Field step = difference(simulation.interface_displacement(), d);
-      const double scale = norm(fluid_force) * norm(moved);
-      CHECK(std::abs(dot(fluid_force, moved) + dot(solid_force, step)) < 1e-12 * scale);
-      greatest_work = std::max(greatest_work, std::abs(dot(solid_force, step)) / scale);
-      x = copy(fluid.x());
-      d = copy(simulation.interface_displacement());
-    });
+    verification::finish(simulation,
+                         [&]
+                         {
+                           fluid.interface().gather(fluid.reaction(), 3, fluid_force);
+                           solid.interface().gather(solid.load(), 2, solid_force);
+                           for (std::size_t c = 0; c < 2; ++c)
+                           {
+                             double sum = 0.0;
+                             for (std::size_t i = c; i < fluid_force.size(); i += 2)
+                               sum += fluid_force[i];
+                             for (std::size_t i = c; i < solid_force.size(); i += 2)
+                               sum += solid_force[i];
+                             CHECK(std::abs(sum) < 1e-13 * norm(fluid_force));
+                           }
+                           Field moved(fluid_force.size());
+                           fluid.interface().gather(difference(fluid.x(), x), 2, moved);
+                           const Field step = difference(simulation.interface_displacement(), d);
+                           // The displacement of the fluid's nodes in a step is a difference of their places.
+                           Field places(moved.size());
+                           fluid.interface().gather(fluid.x(), 2, places);
+                           const double scale = norm(fluid_force) * norm(moved);
+                           const double rounding = norm(fluid_force) * 1e-16 * norm(places);
+                           CHECK(std::abs(dot(fluid_force, moved) + dot(solid_force, step)) <
+                                 1e-13 * scale + rounding);
+                           greatest_work = std::max(greatest_work, std::abs(dot(solid_force, step)) / scale);
+                           x = copy(fluid.x());
+                           d = copy(simulation.interface_displacement());
+                         });
     CHECK(greatest_work > 1e-3);
   }
 }
@@ -149,18 +167,23 @@ TEST_CASE("what flows into the fluid is what its volume grows by, in every step"
     const double theta = implicit ? 1.0 : 0.5 + 1.0 / 80.0;
     Field x = copy(fluid.x()), u = fluid.state().u;
     double greatest_change = 0.0, greatest_error = 0.0;
-    verification::finish(simulation, [&] {
-      const Field now = copy(fluid.x());
-      const Field velocity = verification::between(u, fluid.state().u, theta);
-      const double inflow = -step * (flux(fluid.mesh(), now, velocity, "inlet") +
-                                     flux(fluid.mesh(), now, velocity, "outlet"));
-      const double change = area(fluid.mesh(), now) - area(fluid.mesh(), x);
-      const double throughput = step * std::abs(flux(fluid.mesh(), now, velocity, "inlet"));
-      greatest_error = std::max(greatest_error, std::abs(change - inflow) / throughput);
-      greatest_change = std::max(greatest_change, std::abs(change) / throughput);
-      x = now;
-      u = fluid.state().u;
-    });
+    verification::finish(simulation,
+                         [&]
+                         {
+                           const Field now = copy(fluid.x());
+                           const Field velocity = verification::between(u, fluid.state().u, theta);
+                           // In two dimensions the area grows exactly by the flux of the mesh velocity in the
+                           // middle of the step.
+                           const Field middle = verification::between(x, now, 0.5);
+                           const double gain = step * inflow(fluid.mesh(), middle, velocity);
+                           const double change = area(fluid.mesh(), now) - area(fluid.mesh(), x);
+                           const double throughput =
+                               step * std::abs(flux(fluid.mesh(), middle, velocity, "inlet"));
+                           greatest_error = std::max(greatest_error, std::abs(change - gain) / throughput);
+                           greatest_change = std::max(greatest_change, std::abs(change) / throughput);
+                           x = now;
+                           u = fluid.state().u;
+                         });
     MESSAGE(text(settings) << ": greatest change of volume per step " << greatest_change
                            << " of the throughput, error of the balance " << greatest_error);
     CHECK(greatest_error < 1e-11);

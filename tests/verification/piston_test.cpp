@@ -14,16 +14,16 @@ namespace
 {
 
 /// The bar's end and the mean number of coupling iterations over a whole run.
-struct Run
+struct Swing
 {
   std::vector<double> time, end;
   double iterations = 0.0;
 };
 
-Run run(const std::string& name, const std::vector<std::string>& settings, double height)
+Swing finished(const std::string& name, const std::vector<std::string>& settings, double height)
 {
   run::Simulation simulation(verification::whole_case(name, settings));
-  Run result;
+  Swing result;
   result.time = {0.0};
   result.end = {0.0};
   while (!simulation.finished())
@@ -40,15 +40,15 @@ Run run(const std::string& name, const std::vector<std::string>& settings, doubl
 }
 
 /// Angular frequency from the times at which the signal, 0 at the start, rises through 0.
-double angular_frequency(const Run& run)
+double angular_frequency(const Swing& bar)
 {
   double last = 0.0;
   int periods = 0;
-  for (std::size_t i = 1; i + 1 < run.end.size(); ++i)
-    if (run.end[i] < 0.0 && run.end[i + 1] >= 0.0)
+  for (std::size_t i = 1; i + 1 < bar.end.size(); ++i)
+    if (bar.end[i] < 0.0 && bar.end[i + 1] >= 0.0)
     {
-      const double part = run.end[i] / (run.end[i] - run.end[i + 1]);
-      last = run.time[i] + part * (run.time[i + 1] - run.time[i]);
+      const double part = bar.end[i] / (bar.end[i] - bar.end[i + 1]);
+      last = bar.time[i] + part * (bar.time[i + 1] - bar.time[i]);
       ++periods;
     }
   REQUIRE(periods > 0);
@@ -57,7 +57,8 @@ double angular_frequency(const Run& run)
 
 double end_of_bar(double step, double end)
 {
-  return run("piston-nonlinear", {fmt::format("time.step={}", step), fmt::format("time.end={}", end)}, 0.25)
+  return finished("piston-nonlinear", {fmt::format("time.step={}", step), fmt::format("time.end={}", end)},
+                  0.25)
       .end.back();
 }
 
@@ -67,15 +68,15 @@ TEST_CASE(
     "a plug of fluid as heavy as the bar, and ten times as heavy, lowers its frequency as added mass does")
 {
   // xi tan xi = 1 / m
-  for (const auto [m, xi] : {std::pair{1.0, 0.86033358901938}, std::pair{10.0, 0.31105284820028}})
+  for (const auto& [m, xi] : {std::pair{1.0, 0.86033358901938}, std::pair{10.0, 0.31105284820028}})
   {
     const double period = 2.0 * std::numbers::pi / xi;
     // The trapezoidal rule lengthens the period by (omega step)^2 / 12, here 2e-5.
-    const Run result =
-        run("piston-linear",
-            {fmt::format("let.m={}", m), fmt::format("let.xi={}", xi),
-             fmt::format("time.step={}", period / 400), fmt::format("time.end={}", 2.05 * period)},
-            0.5);
+    const Swing result =
+        finished("piston-linear",
+                 {fmt::format("let.m={}", m), fmt::format("let.xi={}", xi),
+                  fmt::format("time.step={}", period / 400), fmt::format("time.end={}", 2.05 * period)},
+                 0.5);
     const double error = angular_frequency(result) / xi - 1.0;
     MESSAGE("mass ratio " << m << ": relative error of the frequency " << error << ", coupling iterations "
                           << result.iterations);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <complex>
 #include <memory>
@@ -18,10 +19,10 @@ namespace
 using Complex = std::complex<double>;
 constexpr Complex i(0.0, 1.0);
 
-// The data of the case, for a velocity of 1e-3 m/s at the top.
+// The data of the case, for a velocity of 0.01 m/s at the top.
 constexpr double omega = 2.0;
 constexpr double viscosity = 0.1;
-constexpr double amplitude = 2.490382008256359e-5;
+constexpr double amplitude = 2.490382008256359e-4;
 constexpr double wave = 2.0;  // omega sqrt(density / G)
 
 double exact_displacement(double y, double t)
@@ -43,18 +44,23 @@ struct Layers
   int order = 3;
   int cells = 4;  ///< across each layer
   int steps = 20;
-  double end = 0.5;        ///< [s]
-  double amplitude = 1.0;  ///< relative to the case
+  double end = 0.5;         ///< [s]
+  double amplitude = 1.0;   ///< relative to the case
+  double tolerance = 1e-6;  ///< of the coupling
+  std::vector<std::string> more = {};
 };
 
 std::unique_ptr<run::Simulation> finished(const Layers& layers)
 {
-  auto simulation = std::make_unique<run::Simulation>(verification::whole_case(
-      "shear-layers",
-      {fmt::format("blocks.order={}", layers.order),
-       fmt::format("blocks.lattice.layers.divide.y=[{0}, {0}]", layers.cells),
-       fmt::format("time.step={}", layers.end / layers.steps), fmt::format("time.end={}", layers.end),
-       fmt::format("let.a={}", layers.amplitude * amplitude), "coupling.tolerance=1e-9"}));
+  std::vector<std::string> settings = layers.more;
+  for (const std::string& setting :
+       {fmt::format("blocks.order={}", layers.order),
+        fmt::format("blocks.lattice.layers.divide.y=[{0}, {0}]", layers.cells),
+        fmt::format("time.step={}", layers.end / layers.steps), fmt::format("time.end={}", layers.end),
+        fmt::format("let.a={}", layers.amplitude * amplitude),
+        fmt::format("coupling.tolerance={}", layers.tolerance), std::string("fluid.newton.tolerance=1e-11")})
+    settings.push_back(setting);
+  auto simulation = std::make_unique<run::Simulation>(verification::whole_case("shear-layers", settings));
   verification::finish(*simulation);
   return simulation;
 }
@@ -77,6 +83,30 @@ Errors errors(const run::Simulation& simulation, Velocity velocity, Displacement
           verification::error(solid.mesh(), X, solid.state().d, 2, displacement)};
 }
 
+/// L2 norms along the line x = middle of the differences of two runs.
+Errors along_the_middle(const run::Simulation& one, const run::Simulation& other, double middle)
+{
+  const element::Rule rule = element::gauss(6);
+  constexpr int pieces = 24;
+  Errors squares;
+  for (int piece = 0; piece < pieces; ++piece)
+    for (std::size_t q = 0; q < rule.points.size(); ++q)
+    {
+      const double y = (piece + rule.points[q]) / pieces, weight = rule.weights[q] / pieces;
+      const auto d = [&](const run::Simulation& of) {
+        return verification::at(of.solid()->mesh(), of.solid()->X(), of.solid()->state().d, {middle, y})[0];
+      };
+      const auto u = [&](const run::Simulation& of)
+      {
+        return verification::at(of.fluid()->mesh(), of.fluid()->x(), of.fluid()->state().u,
+                                {middle, 1.0 + y})[0];
+      };
+      squares.d += weight * std::pow(d(one) - d(other), 2);
+      squares.u += weight * std::pow(u(one) - u(other), 2);
+    }
+  return {std::sqrt(squares.u), std::sqrt(squares.d)};
+}
+
 }  // namespace
 
 TEST_CASE("oscillating layers of fluid and solid are of second order in time")
@@ -85,7 +115,7 @@ TEST_CASE("oscillating layers of fluid and solid are of second order in time")
   // and Kirchhoff: they grow with the square of the amplitude.
   const auto of_steps = [](int steps)
   {
-    const Layers layers{.order = 6, .cells = 2, .steps = steps, .end = 1.0, .amplitude = 1e-2};
+    const Layers layers{.order = 6, .cells = 2, .steps = steps, .end = 1.0, .amplitude = 0.1};
     const double t = layers.end;
     const auto exact = [&](auto function)
     {
@@ -95,7 +125,7 @@ TEST_CASE("oscillating layers of fluid and solid are of second order in time")
     };
     return errors(*finished(layers), exact(exact_velocity), exact(exact_displacement));
   };
-  const Errors coarse = of_steps(10), fine = of_steps(20);
+  const Errors coarse = of_steps(20), fine = of_steps(40);
   MESSAGE("errors of u " << coarse.u << " " << fine.u << ", order " << std::log2(coarse.u / fine.u)
                          << "; of d " << coarse.d << " " << fine.d << ", order "
                          << std::log2(coarse.d / fine.d));
@@ -105,21 +135,22 @@ TEST_CASE("oscillating layers of fluid and solid are of second order in time")
 
 TEST_CASE("coupled layers of fluid and solid are of order p + 1 in space")
 {
-  // Compared with order 8 in as many steps, so that the error in time drops out.
-  const auto best = finished({.order = 8, .cells = 3});
-  const run::FluidSide& fluid = *best->fluid();
-  const run::SolidSide& solid = *best->solid();
-  const auto velocity = [&](double x, double y) {
-    return verification::at(fluid.mesh(), fluid.x(), fluid.state().u, {x, y});
+  // Compared with order 8 in as many steps, so that the error in time drops out, along the middle of long
+  // layers: at their open sides the stabilisation of the pressure disturbs a flow that does not end there.
+  const auto of_order = [](int order, int cells)
+  {
+    return finished({.order = order,
+                     .cells = cells,
+                     .amplitude = 2.0,
+                     .tolerance = 2e-9,
+                     .more = {"let.L=12", "blocks.lattice.layers.divide.x=[4]"}});
   };
-  const auto displacement = [&](double x, double y) {
-    return verification::at(solid.mesh(), solid.X(), solid.state().d, {x, y});
-  };
+  const auto best = of_order(8, 8);
   for (int order = 1; order <= 4; ++order)
   {
-    const int cells = order == 1 ? 8 : 4;
-    const Errors coarse = errors(*finished({.order = order, .cells = cells}), velocity, displacement);
-    const Errors fine = errors(*finished({.order = order, .cells = 2 * cells}), velocity, displacement);
+    const int cells = std::array{16, 8, 6, 4}[order - 1];
+    const Errors coarse = along_the_middle(*of_order(order, cells), *best, 6.0);
+    const Errors fine = along_the_middle(*of_order(order, 2 * cells), *best, 6.0);
     MESSAGE("order " << order << ": errors of u " << coarse.u << " " << fine.u << ", rate "
                      << std::log2(coarse.u / fine.u) << "; of d " << coarse.d << " " << fine.d << ", rate "
                      << std::log2(coarse.d / fine.d));

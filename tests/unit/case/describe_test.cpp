@@ -27,6 +27,7 @@ const std::filesystem::path everything =
 const std::vector<std::vector<std::string>> variations = {
     {},
     {"coupling.accelerator={ aitken = { initial = 0.5 } }"},
+    {"coupling.accelerator={ iqn_imvj = { reuse = 3, filter = 0.1, initial = 0.5 } }"},
     {"coupling.accelerator={ constant = { relaxation = 0.5 } }"},
     {"solid.root={ displacement = [0, 0] }"},
     {"solid.root={ traction = 0 }"},

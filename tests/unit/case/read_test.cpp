@@ -146,6 +146,11 @@ TEST_CASE("every key reaches its parameter")
   CHECK(read.time.scheme == fem::Scheme::backward_euler);
   CHECK(read.time.start_up == 3);
   CHECK(read.time.ringing_decay == 0.02);
+  CHECK(read.solid->order == 3);
+  CHECK(read.solid->divide == 1.0);
+  CHECK(read.solid->initial_velocity[1](0.0, 0.0, 0.0, 0.0) == 0.5);
+  CHECK(read.solid_differs());
+  CHECK(read.solid_layout().order == 3);
   const auto& accelerator = std::get<coupling::IqnIls>(read.coupling.accelerator);
   CHECK(accelerator.reuse == 4);
   CHECK(accelerator.filter == 0.1);
