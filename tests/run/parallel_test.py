@@ -39,6 +39,9 @@ class Parallel(RunTest):
     def test_the_moving_flap_does_not_depend_on_the_number_of_processes(self):
         self.compare("wall-ramm-flap", *FLAP, "time.end=0.3", *TIGHT)
 
+    def test_a_solid_with_cells_of_its_own_does_not_depend_on_the_number_of_processes(self):
+        self.compare("wall-ramm-flap", *FLAP, "time.end=0.1", "solid.order=3", "solid.divide=1.5", *TIGHT)
+
     def test_the_flap_with_the_tolerances_of_the_case_does_not_either(self):
         self.compare("wall-ramm-flap", *FLAP, "time.end=0.2")
 

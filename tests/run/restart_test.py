@@ -19,6 +19,7 @@ VARIANTS = {
     "order 3": (["blocks.order=3"], [7]),
     "nonlinear corners": (['motion.regenerate={corners="nonlinear"}'], [0, 7]),
     "backward Euler": (['time.scheme="backward-euler"'], [7]),
+    "a solid with cells of its own": (["solid.order=3", "solid.divide=1.5"], [1, 7]),
     "a pseudo-solid": (["motion={pseudo_solid={}}"], [7]),
     "an incremental pseudo-solid": (['motion={pseudo_solid={from="last"}}'], [1, 7]),
     "a biharmonic mesh": (["motion={biharmonic={}}"], [7]),
