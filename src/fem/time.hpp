@@ -26,8 +26,8 @@ struct TimeParameters
 };
 
 /// One step from t to t + step: unknowns live at t + theta step, rates are differences over the step.
-/// The geometry is taken at t + geometry step: at the midpoint the volume of a fluid in two dimensions changes
-/// exactly by the flux through its boundary.
+/// The geometry is taken at t + geometry step: at the midpoint the volume of a fluid in two dimensions
+/// changes exactly by the flux through its boundary.
 struct TimeStep
 {
   double t = 0.0;

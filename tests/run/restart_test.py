@@ -80,7 +80,8 @@ class Restart(RunTest):
         for name, (settings, interruptions) in VARIANTS.items():
             with self.subTest(name):
                 for path in list(self.folder.iterdir()):
-                    path.rename(path.with_name(f"{path.name} before {name}"))
+                    if " before " not in path.name:
+                        path.rename(path.with_name(f"{path.name} before {name}"))
                 for rows in interruptions:
                     self.compare(settings, rows)
 
