@@ -10,6 +10,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 #include <variant>
 
@@ -133,13 +134,17 @@ void check_curve(const Layout& layout, const Edge& edge)
   }
 }
 
-/// Throws Error for a curve that does not fit.
+/// Throws Error for a curve that does not fit. Entries for edges that no block has are refused later.
 Tangents tangents_of(const Layout& layout)
 {
+  std::set<std::pair<int, int>> edges;
+  for (const Block& block : layout.blocks)
+    for (const auto& [a, b] : element::edges(block.shape))
+      edges.insert(std::minmax(block.points[a], block.points[b]));
   Tangents result;
   for (const Edge& edge : layout.edges)
   {
-    if (std::holds_alternative<geometry::Segment>(edge.curve))
+    if (std::holds_alternative<geometry::Segment>(edge.curve) || !edges.contains(std::minmax(edge.a, edge.b)))
       continue;
     check_curve(layout, edge);
     const geometry::Path path(edge.curve, layout.points[edge.a].x, layout.points[edge.b].x);
