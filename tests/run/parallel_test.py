@@ -40,7 +40,8 @@ class Parallel(RunTest):
         self.compare("wall-ramm-flap", *FLAP, "time.end=0.3", *TIGHT)
 
     def test_a_solid_with_cells_of_its_own_does_not_depend_on_the_number_of_processes(self):
-        self.compare("wall-ramm-flap", *FLAP, "time.end=0.1", "solid.order=3", "solid.divide=1.5", *TIGHT)
+        self.compare("wall-ramm-flap", *FLAP, "time.end=0.2", "let.U=5", "solid.order=3", "solid.divide=2", *TIGHT,
+                     "coupling.tolerance=1e-8")
 
     def test_the_flap_with_the_tolerances_of_the_case_does_not_either(self):
         self.compare("wall-ramm-flap", *FLAP, "time.end=0.2")
