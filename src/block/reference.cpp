@@ -14,10 +14,8 @@ namespace
 
 using element::Shape;
 
-/// Edges of a hexahedron along each direction, at the other two coordinates (0, 0), (1, 0), (0, 1), (1, 1); a
-/// quadrilateral has the first two of each.
+/// Edges of a hexahedron along each direction, at the other two coordinates (0, 0), (1, 0), (0, 1), (1, 1).
 constexpr std::array<std::array<int, 4>, 3> hexahedron_lines{{{0, 2, 4, 6}, {3, 1, 7, 5}, {8, 9, 11, 10}}};
-constexpr std::array<std::array<int, 2>, 2> quadrilateral_lines{{{0, 2}, {3, 1}}};
 
 void set_quadrilateral(const EdgeParameters& edges, BlockPlan& plan)
 {

@@ -152,8 +152,7 @@ class Refinement
 {
 public:
   Refinement(const Grid& nodes, int order, int diagonal)
-      : order_(order),
-        corners_(Grid{nodes.shape, {nodes.steps[0] / order, nodes.steps[1] / order, nodes.steps[2] / order}}),
+      : corners_(Grid{nodes.shape, {nodes.steps[0] / order, nodes.steps[1] / order, nodes.steps[2] / order}}),
         cells_(corners_, order, diagonal), coarse_(corners_, 1, diagonal)
   {
     for (const CellKind& kind : cells_.kinds())
@@ -181,7 +180,6 @@ public:
   }
 
 private:
-  int order_;
   Grid corners_;
   BlockCells cells_;
   BlockCells coarse_;

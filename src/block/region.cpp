@@ -88,7 +88,7 @@ RegionCells::RegionCells(const Layout& layout, const Skeleton& skeleton, std::st
 void RegionCells::count_shapes()
 {
   ShapeCounts sum{};
-  const auto count = [this](const BlockCells& cells, std::size_t shape)
+  const auto count = [](const BlockCells& cells, std::size_t shape)
   {
     std::int64_t result = 0;
     for (const CellKind& kind : cells.kinds())

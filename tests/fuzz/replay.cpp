@@ -36,8 +36,8 @@ std::vector<std::string> contents(const std::filesystem::path& folder)
 
 /// Numbers and signs at which readers stumble.
 const std::vector<std::string> pieces = {
-    "-1", "0", "4294967295", "18446744073709551615", "1e999", "nan", "\n", "$", "<", ">", "\"", "[", "]",
-    "{",  "=", "\0"};
+    "-1", "0", "4294967295", "18446744073709551615", "1e999", "nan", "\n", "$", "<", ">", "\"", "[",
+    "]",  "{", "=",          std::string(1, '\0')};
 
 /// One to four small changes.
 std::string vary(std::string text, const std::vector<std::string>& all, std::mt19937_64& random)
