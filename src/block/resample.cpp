@@ -3,6 +3,10 @@
 #include "block/numbering.hpp"
 #include "element/table.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 namespace blockfsi::block
 {
 
@@ -12,6 +16,11 @@ namespace
 using element::LatticePoint;
 using element::NodeKind;
 using element::Shape;
+
+/// Weights below this are those of nodes that have none: cells have few nodes, and all weights are of size 1.
+constexpr double rounding = 1e-13;
+/// Nodes of the largest cell that is resampled, a pyramid of order 8.
+constexpr std::size_t max_terms = 285;
 
 /// Whether the last direction of a shape is a product with the others.
 Shape cross_section(Shape shape)
@@ -85,18 +94,37 @@ std::vector<BlockPlan::Row> inner_rows(const Grid& grid)
 
 LatticeResampler::LatticeResampler(const Grid& nodes, int order, int diagonal, Direction direction,
                                    bool keep_last)
-    : nodes_(nodes), order_(order), cells_(coarse(nodes, order), order, diagonal)
+    : nodes_(nodes), order_(order), cells_(coarse(nodes, order), order, diagonal),
+      candidates_(static_cast<std::size_t>(order) * order * order)
 {
+  std::vector<std::vector<double>> weights;
   for (const CellKind& kind : cells_.kinds())
+    weights.push_back(keep_last ? product_matrix(kind.shape, order, direction)
+                                : matrix(kind.shape, order, direction));
+  for (std::size_t remainders = 0; remainders < candidates_.size(); ++remainders)
   {
-    const std::vector<double> weights =
-        keep_last ? product_matrix(kind.shape, order, direction) : matrix(kind.shape, order, direction);
-    const std::size_t count = kind.nodes.size();
-    std::vector<std::vector<Term>>& terms = terms_.emplace_back(count);
-    for (std::size_t a = 0; a < count; ++a)
-      for (std::size_t b = 0; b < count; ++b)
-        if (weights[a * count + b] != 0.0)
-          terms[a].push_back({kind.nodes[b], weights[a * count + b]});
+    const int at = static_cast<int>(remainders);
+    const LatticePoint remainder{at % order, at / order % order, at / order / order};
+    // Boxes before the node's own one have it only where it lies between them.
+    for (int k = remainder[2] == 0 ? -1 : 0; k <= 0; ++k)
+      for (int j = remainder[1] == 0 ? -1 : 0; j <= 0; ++j)
+        for (int i = remainder[0] == 0 ? -1 : 0; i <= 0; ++i)
+          for (std::size_t q = 0; q < weights.size(); ++q)
+          {
+            const std::vector<LatticePoint>& all = cells_.kinds()[q].nodes;
+            const LatticePoint local{remainder[0] - order * i, remainder[1] - order * j,
+                                     remainder[2] - order * k};
+            const auto found = std::find(all.begin(), all.end(), local);
+            if (found == all.end())
+              continue;
+            Candidate candidate{{i, j, k}, q, {}};
+            const double* row =
+                weights[q].data() + (found - all.begin()) * static_cast<std::ptrdiff_t>(all.size());
+            for (std::size_t b = 0; b < all.size(); ++b)
+              if (std::abs(row[b]) > rounding)
+                candidate.terms.push_back({all[b], row[b]});
+            candidates_[remainders].push_back(std::move(candidate));
+          }
   }
   for (int k = 0; k < level_count(nodes); ++k)
   {
@@ -106,27 +134,92 @@ LatticeResampler::LatticeResampler(const Grid& nodes, int order, int diagonal, D
   }
 }
 
+/// Nodes first, first + order, ... along a row, `count` of them, which lie in cells of one kind.
+template <int dim>
+void LatticeResampler::apply_along(const Candidate& cell, const LatticePoint& first, int count,
+                                   const double* from, double* to) const
+{
+  const LatticePoint box{first[0] / order_ + cell.box[0], first[1] / order_ + cell.box[1],
+                         first[2] / order_ + cell.box[2]};
+  struct Source
+  {
+    const double* x;
+    double weight;
+  };
+  std::array<Source, max_terms> sources;
+  for (std::size_t q = 0; q < cell.terms.size(); ++q)
+  {
+    const Term& term = cell.terms[q];
+    const std::int64_t line =
+        level_begin_[order_ * box[2] + term.offset[2]] + order_ * box[1] + term.offset[1];
+    sources[q] = {from + dim * (row_begin_[line] + order_ * box[0] + term.offset[0]), term.weight};
+  }
+  const std::span<const Source> used(sources.data(), cell.terms.size());
+  const std::ptrdiff_t step = static_cast<std::ptrdiff_t>(dim) * order_;
+  for (std::ptrdiff_t at = 0; at < step * count; at += step)
+  {
+    std::array<double, dim> sum{};
+    for (const Source& source : used)
+      for (int c = 0; c < dim; ++c)
+        sum[c] += source.weight * source.x[at + c];
+    std::copy(sum.begin(), sum.end(), to + at);
+  }
+}
+
+/// Each node lies in the first of its candidates that exists; along the row each of them exists for boxes
+/// that follow each other, and those that an earlier one has are in their middle.
+template <int dim>
+void LatticeResampler::apply_to_row(const BlockPlan::Row& row, const double* from, double* to) const
+{
+  const int j = row.j / order_;
+  const int k = row.k / order_;
+  for (int remainder = 0; remainder < order_; ++remainder)
+  {
+    const int first = std::max(0, (row.begin - remainder + order_ - 1) / order_);
+    const int end = (row.end - remainder + order_ - 1) / order_;
+    int done_first = end;
+    int done_end = first;
+    const auto& candidates = candidates_[remainder + order_ * (row.j % order_ + order_ * (row.k % order_))];
+    for (const Candidate& cell : candidates)
+    {
+      const int cell_j = j + cell.box[1];
+      const int cell_k = k + cell.box[2];
+      if (cell_j < 0 || cell_k < 0 || cell_k >= cells_.level_count() || cell_j >= cells_.row_count(cell_k))
+        continue;
+      const int low = std::max(first, -cell.box[0]);
+      const int high =
+          std::min(end, cells_.count_in_row(cells_.kinds()[cell.kind], cell_j, cell_k) - cell.box[0]);
+      const auto write = [&](int from_box, int to_box)
+      {
+        if (from_box >= to_box)
+          return;
+        const int node = order_ * from_box + remainder;
+        apply_along<dim>(cell, {node, row.j, row.k}, to_box - from_box, from,
+                         to + static_cast<std::ptrdiff_t>(dim) * (row.node + node - row.begin));
+      };
+      if (low >= high)
+        continue;
+      if (done_first >= done_end)
+        write(low, high);
+      else
+      {
+        write(low, std::min(high, done_first));
+        write(std::max(low, done_end), high);
+      }
+      done_first = std::min(done_first, low);
+      done_end = std::max(done_end, high);
+    }
+  }
+}
+
 void LatticeResampler::apply(std::span<const BlockPlan::Row> rows, int dim, const double* from,
                              double* to) const
 {
   for (const BlockPlan::Row& row : rows)
-  {
-    double* out = to + static_cast<std::ptrdiff_t>(dim) * row.node;
-    for (int i = row.begin; i < row.end; ++i, out += dim)
-    {
-      const BlockCells::Found cell = cells_.find({i, row.j, row.k});
-      for (int c = 0; c < dim; ++c)
-        out[c] = 0.0;
-      for (const Term& term : terms_[cell.kind][cell.local])
-      {
-        const std::int64_t line =
-            level_begin_[order_ * cell.box[2] + term.offset[2]] + order_ * cell.box[1] + term.offset[1];
-        const double* x = from + dim * (row_begin_[line] + order_ * cell.box[0] + term.offset[0]);
-        for (int c = 0; c < dim; ++c)
-          out[c] += term.weight * x[c];
-      }
-    }
-  }
+    if (dim == 2)
+      apply_to_row<2>(row, from, to);
+    else
+      apply_to_row<3>(row, from, to);
 }
 
 Resampling::Resampling(const Grid& nodes, int order, int diagonal)

@@ -35,11 +35,26 @@ private:
     element::LatticePoint offset{};  ///< from the cell's box, in steps of the lattice
     double weight = 0.0;
   };
+  /// A cell that nodes with some remainders of their coordinates by the order may lie in.
+  struct Candidate
+  {
+    element::LatticePoint box{};  ///< from the node's own box (coordinates divided by the order), 0 or -1
+    std::size_t kind = 0;
+    std::vector<Term> terms;
+  };
+
+  template <int dim>
+  void apply_to_row(const BlockPlan::Row& row, const double* from, double* to) const;
+  template <int dim>
+  void apply_along(const Candidate& cell, const element::LatticePoint& first, int count, const double* from,
+                   double* to) const;
+
   Grid nodes_;
   int order_;
   BlockCells cells_;
-  std::vector<std::vector<std::vector<Term>>> terms_;  ///< per kind and node
-  std::vector<std::int64_t> row_begin_;                ///< index of (0, j, k) in the lattice
+  /// In the order of BlockCells::find; shape (order, order, order) over the remainders, the first fastest.
+  std::vector<std::vector<Candidate>> candidates_;
+  std::vector<std::int64_t> row_begin_;  ///< index of (0, j, k) in the lattice
   std::vector<std::int32_t> level_begin_;
 };
 
