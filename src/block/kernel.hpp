@@ -40,6 +40,12 @@ void place_tetrahedron(const BlockPlan& plan, std::span<const BlockPlan::Row> ro
 void place_pyramid(const BlockPlan& plan, std::span<const BlockPlan::Row> rows, const BoundaryData<3>& at,
                    double* x);
 
+/// Memory of the kernels besides that of the coordinates.
+std::size_t triangle_work(const BlockPlan& plan, int dim);
+std::size_t hexahedron_work(const BlockPlan& plan);
+std::size_t prism_work(const BlockPlan& plan);
+std::size_t tetrahedron_work(const BlockPlan& plan);
+
 /// Where a row begins in the lattice of a triangle with n steps.
 inline std::ptrdiff_t triangle_row(std::ptrdiff_t n, std::ptrdiff_t j)
 {

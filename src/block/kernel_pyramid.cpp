@@ -1,5 +1,7 @@
 #include "block/kernel.hpp"
 
+#include "block/kernel_row.hpp"
+
 #include <array>
 #include <cstddef>
 
@@ -11,82 +13,99 @@ namespace
 
 constexpr int dim = 3;
 
-/// Differences on the base, a lattice of n by n steps, and on the four triangles.
-struct Faces
+/// Sides of a pyramid.
+enum PyramidSide
 {
-  const double* base;
-  const double* front;
-  const double* right;
-  const double* back;
-  const double* left;
-  std::ptrdiff_t n;
-
-  const double* on_base(std::ptrdiff_t i, std::ptrdiff_t j) const { return base + dim * (i + (n + 1) * j); }
-  const double* on(const double* face, std::ptrdiff_t s, std::ptrdiff_t t) const
-  {
-    return face + dim * (s + triangle_row(n, t));
-  }
+  base,
+  front,
+  right,
+  back,
+  left
 };
 
-/// sum_a w_a T_a with the polynomial weights of formulation.md 1: T_1 to T_4 are the local Boolean sums at
-/// the corners of the base, T_5 is the transfinite surface of the level.
-void blend(const Faces& f, const std::array<double, 3>& r, std::ptrdiff_t i, std::ptrdiff_t j,
-           std::ptrdiff_t k, double* out)
+/// What the faces give along a row (i, j, k). Faces differ from those of the straight pyramid by `front` ...
+/// `left` (triangles with n steps) and the base (n by n steps). A corner of the base takes the base at the
+/// point beside the node, parallel to the edges of the corner, and the two triangles at the node's level.
+struct FaceRow
 {
-  const std::ptrdiff_t n = f.n;
-  const double h = 1.0 - r[2];
-  const double xi = r[0] / h;
-  const double eta = r[1] / h;
-  const std::array<double, 5> w{(h - r[0]) * (h - r[1]), r[0] * (h - r[1]), r[0] * r[1], (h - r[0]) * r[1],
-                                1.0 - h * h};
-  const double* A = f.on(f.front, i, k);
-  const double* B = f.on(f.right, j, k);
-  const double* C = f.on(f.back, i, k);
-  const double* D = f.on(f.left, j, k);
-  const double* e1 = f.on(f.front, 0, k);
-  const double* e2 = f.on(f.front, n - k, k);
-  const double* e3 = f.on(f.back, n - k, k);
-  const double* e4 = f.on(f.back, 0, k);
-  const double* q1[3] = {f.on_base(i, j), f.on_base(i, 0), f.on_base(0, j)};
-  const double* q2[3] = {f.on_base(i + k, j), f.on_base(i + k, 0), f.on_base(n, j)};
-  const double* q3[3] = {f.on_base(i + k, j + k), f.on_base(i + k, n), f.on_base(n, j + k)};
-  const double* q4[3] = {f.on_base(i, j + k), f.on_base(i, n), f.on_base(0, j + k)};
-  for (int c = 0; c < dim; ++c)
-    out[c] +=
-        w[0] * (q1[0][c] + A[c] + D[c] - q1[1][c] - q1[2][c] - e1[c]) +
-        w[1] * (q2[0][c] + A[c] + B[c] - q2[1][c] - q2[2][c] - e2[c]) +
-        w[2] * (q3[0][c] + B[c] + C[c] - q3[1][c] - q3[2][c] - e3[c]) +
-        w[3] * (q4[0][c] + C[c] + D[c] - q4[1][c] - q4[2][c] - e4[c]) +
-        w[4] * ((1.0 - eta) * A[c] + eta * C[c] + (1.0 - xi) * D[c] + xi * B[c] -
-                (1.0 - eta) * ((1.0 - xi) * e1[c] + xi * e2[c]) - eta * ((1.0 - xi) * e4[c] + xi * e3[c]));
-}
+  FaceRow(const BoundaryData<3>& at, std::ptrdiff_t n, std::ptrdiff_t i, std::ptrdiff_t j, std::ptrdiff_t k)
+  {
+    const auto on_base = [&](std::ptrdiff_t s, std::ptrdiff_t t)
+    { return at.side[base] + dim * (s + (n + 1) * t); };
+    const auto on = [&](PyramidSide face, std::ptrdiff_t s)
+    { return at.side[face] + dim * (s + triangle_row(n, k)); };
+    near_base = {on_base(i, j), on_base(i + k, j), on_base(i + k, j + k), on_base(i, j + k)};
+    near_edge = {on_base(i, 0), on_base(i + k, 0), on_base(i + k, n), on_base(i, n)};
+    along_front = on(front, i);
+    along_back = on(back, i);
+    right_face = repeated<dim>(on(right, j));
+    left_face = repeated<dim>(on(left, j));
+    edge = {repeated<dim>(on(front, 0)), repeated<dim>(on(front, n - k)), repeated<dim>(on(back, n - k)),
+            repeated<dim>(on(back, 0))};
+    const std::array<const double*, 4> ends{on_base(0, j), on_base(n, j), on_base(n, j + k),
+                                            on_base(0, j + k)};
+    for (std::size_t q = 0; q < 4; ++q)
+    {
+      fixed[q] = repeated<dim>(ends[q]);
+      const Repeated<dim>& side = q == 0 || q == 3 ? left_face : right_face;
+      for (int m = 0; m < dim; ++m)
+        fixed[q][m] = side[m] - fixed[q][m] - edge[q][m];
+    }
+  }
+
+  std::array<const double*, 4> near_base;  ///< of the row's first node, for the corners 0 to 3
+  std::array<const double*, 4> near_edge;  ///< on the edges (0, 1) and (3, 2) of the base
+  const double* along_front;
+  const double* along_back;
+  Repeated<dim> right_face;
+  Repeated<dim> left_face;
+  std::array<Repeated<dim>, 4> edge;   ///< upright edges at the level
+  std::array<Repeated<dim>, 4> fixed;  ///< what the corners take that is the same along the row
+};
 
 }  // namespace
 
+/// The straight pyramid and sum_a w_a T_a with the polynomial weights of formulation.md 1: T_1 to T_4 are the
+/// local Boolean sums at the corners of the base, T_5 is the transfinite surface of the level.
 void place_pyramid(const BlockPlan& plan, std::span<const BlockPlan::Row> rows, const BoundaryData<3>& at,
                    double* x)
 {
-  const Faces faces{at.side[0], at.side[1], at.side[2], at.side[3], at.side[4], plan.grid.steps[0]};
-  const bool alike = plan.reference.empty();
-  const double* stored = plan.reference.data();
-  const std::vector<double>& line = plan.lines[0];
-  const auto& p = at.corner;
-  for (const BlockPlan::Row& row : rows)
+  std::array<Repeated<dim>, 5> p;
+  for (std::size_t k = 0; k < 5; ++k)
+    p[k] = repeated<dim>(at.corner[k].data());
+  const auto place = [&](auto coordinates, double*)
   {
-    double* out = x + static_cast<std::ptrdiff_t>(dim) * row.node;
-    for (int i = row.begin; i < row.end; ++i, out += dim)
+    constexpr bool alike = decltype(coordinates)::are_alike;
+    for (const BlockPlan::Row& row : rows)
     {
-      const std::array<double, 3> r =
-          alike ? std::array{line[i], line[row.j], line[row.k]} : std::array{stored[0], stored[1], stored[2]};
-      stored += alike ? 0 : 3;
-      const double h = 1.0 - r[2];
-      const double xi = r[0] / h;
-      for (int c = 0; c < dim; ++c)
-        out[c] = (h - r[1]) * ((1.0 - xi) * p[0][c] + xi * p[1][c]) +
-                 r[1] * ((1.0 - xi) * p[3][c] + xi * p[2][c]) + r[2] * p[4][c];
-      blend(faces, r, i, row.j, row.k, out);
+      const RowCoordinates<alike> r = coordinates.next(row);
+      const FaceRow f(at, plan.grid.steps[0], row.begin, row.j, row.k);
+      const auto value = [&](auto load, std::ptrdiff_t t, int m) -> Lanes
+      {
+        const Lanes r0 = r.template get<0>(load, t);
+        const auto r1 = r.template get<1>(load, t);
+        const auto z = r.template get<2>(load, t);
+        const auto h = 1.0 - z;
+        const auto inverse = 1.0 / h;
+        const Lanes xi = r0 * inverse;
+        const auto eta = r1 * inverse;
+        const auto rest = h - r1;
+        const Lanes A = load(f.along_front + t);
+        const Lanes C = load(f.along_back + t);
+        const auto near = [&](std::size_t q)
+        { return load(f.near_base[q] + t) - load(f.near_edge[q] + t) + f.fixed[q][m]; };
+        const Lanes low = f.left_face[m] - (1.0 - eta) * f.edge[0][m] - eta * f.edge[3][m];
+        const Lanes high = f.right_face[m] - (1.0 - eta) * f.edge[1][m] - eta * f.edge[2][m];
+        const Lanes straight =
+            (1.0 - xi) * (rest * p[0][m] + r1 * p[3][m]) + xi * (rest * p[1][m] + r1 * p[2][m]) + z * p[4][m];
+        return straight + rest * ((h - r0) * (near(0) + A) + r0 * (near(1) + A)) +
+               r1 * (r0 * (near(2) + C) + (h - r0) * (near(3) + C)) +
+               (1.0 - h * h) * ((1.0 - eta) * A + eta * C + (1.0 - xi) * low + xi * high);
+      };
+      write_row<dim>(row.end - row.begin, x + static_cast<std::ptrdiff_t>(dim) * row.node, value);
     }
-  }
+  };
+  with_coordinates<dim>(plan, at.work, place);
 }
 
 }  // namespace blockfsi::block

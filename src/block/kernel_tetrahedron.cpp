@@ -1,5 +1,7 @@
 #include "block/kernel.hpp"
 
+#include "block/kernel_row.hpp"
+
 #include <array>
 #include <cstddef>
 
@@ -11,70 +13,118 @@ namespace
 
 constexpr int dim = 3;
 
-/// Differences on the four faces, each with the lattice of a triangle with n steps.
+/// Differences on a face, the lattice of a triangle with n steps.
+struct Face
+{
+  double* x;
+  std::ptrdiff_t n;
+
+  double* at(std::ptrdiff_t s, std::ptrdiff_t t) const { return x + dim * (s + triangle_row(n, t)); }
+};
+
+std::size_t face_size(std::ptrdiff_t n)
+{
+  return static_cast<std::size_t>(dim * triangle_row(n, n + 1));
+}
+
+/// Faces as the nodes of a row pass them: named by where they have (0, 0), (n, 0) and (0, n).
 struct Faces
 {
   const double* f012;
   const double* f013;
   const double* f123;
   const double* f023;
+  Face f213;  ///< f123 with its first two corners swapped
+  Face f231;  ///< f123 turned: (s, t) is (t, n - s - t) of f123
+  Face f032;  ///< f023 with its last two corners swapped
   std::ptrdiff_t n;
 
-  std::ptrdiff_t at(std::ptrdiff_t s, std::ptrdiff_t t) const { return dim * (s + triangle_row(n, t)); }
+  Faces(const BoundaryData<3>& at, std::ptrdiff_t steps, double* work)
+      : f012(at.side[0]), f013(at.side[1]), f123(at.side[2]), f023(at.side[3]), f213{work, steps},
+        f231{work + face_size(steps), steps}, f032{work + 2 * face_size(steps), steps}, n(steps)
+  {
+    for (std::ptrdiff_t t = 0; t <= n; ++t)
+      for (std::ptrdiff_t s = 0; s + t <= n; ++s)
+      {
+        std::copy_n(of(f123, n - s - t, t), dim, f213.at(s, t));
+        std::copy_n(of(f123, t, n - s - t), dim, f231.at(s, t));
+        std::copy_n(of(f023, t, s), dim, f032.at(s, t));
+      }
+  }
+
+  const double* of(const double* face, std::ptrdiff_t s, std::ptrdiff_t t) const
+  {
+    return face + dim * (s + triangle_row(n, t));
+  }
 };
 
-using Weights = std::array<double, 4>;
-
-/// sum_i w_i (faces at vertex i - edges at vertex i): the local Boolean sums of the parallel form. Node (i,
-/// j, k), m = n - i - j - k; every face is taken at the point that lies beside the node parallel to the
-/// edges.
-void blend(const Faces& f, const Weights& w, std::ptrdiff_t i, std::ptrdiff_t j, std::ptrdiff_t k,
-           double* out)
+/// What the parallel form takes at the nodes of a row (i, j, k): sum_v w_v (faces at vertex v - edges at
+/// vertex v), the local Boolean sums. Every face is taken at the point that lies beside the node parallel to
+/// the edges. Points that move with the node are given by where they are for the row's first node, all
+/// others are added up, together with the corners of the straight tetrahedron.
+struct FaceRow
 {
-  const std::ptrdiff_t n = f.n;
-  const std::ptrdiff_t m = n - i - j - k;
-  const std::ptrdiff_t sum = i + j + k;
-  const double* faces0[3] = {f.f012 + f.at(i, j), f.f013 + f.at(i, k), f.f023 + f.at(j, k)};
-  const double* faces1[3] = {f.f012 + f.at(i + k, j), f.f013 + f.at(i + j, k), f.f123 + f.at(j, k)};
-  const double* faces2[3] = {f.f012 + f.at(i, j + k), f.f023 + f.at(i + j, k), f.f123 + f.at(m + j, k)};
-  const double* faces3[3] = {f.f013 + f.at(i, j + k), f.f023 + f.at(j, i + k), f.f123 + f.at(j, m + k)};
-  // Edges from one end: 01, 02, 03, 12, 13, 23.
-  const double* edges0[3] = {f.f012 + f.at(i, 0), f.f012 + f.at(0, j), f.f013 + f.at(0, k)};
-  const double* edges1[3] = {f.f012 + f.at(sum, 0), f.f123 + f.at(j, 0), f.f123 + f.at(0, k)};
-  const double* edges2[3] = {f.f012 + f.at(0, sum), f.f123 + f.at(n - i, 0), f.f023 + f.at(n - k, k)};
-  const double* edges3[3] = {f.f013 + f.at(0, sum), f.f123 + f.at(0, n - i), f.f023 + f.at(j, n - j)};
-  for (int c = 0; c < dim; ++c)
-    out[c] +=
-        w[0] * (faces0[0][c] + faces0[1][c] + faces0[2][c] - edges0[0][c] - edges0[1][c] - edges0[2][c]) +
-        w[1] * (faces1[0][c] + faces1[1][c] + faces1[2][c] - edges1[0][c] - edges1[1][c] - edges1[2][c]) +
-        w[2] * (faces2[0][c] + faces2[1][c] + faces2[2][c] - edges2[0][c] - edges2[1][c] - edges2[2][c]) +
-        w[3] * (faces3[0][c] + faces3[1][c] + faces3[2][c] - edges3[0][c] - edges3[1][c] - edges3[2][c]);
-}
+  FaceRow(const Faces& f, const BoundaryData<3>& at, std::ptrdiff_t i, std::ptrdiff_t j, std::ptrdiff_t k)
+      : moving{f.of(f.f012, i, j),      f.of(f.f013, i, k),
+               f.of(f.f012, i, 0),      f.of(f.f012, i + k, j),
+               f.of(f.f013, i + j, k),  f.of(f.f012, i + j + k, 0),
+               f.of(f.f012, i, j + k),  f.of(f.f023, i + j, k),
+               f.f213.at(i, k),         f.of(f.f023, i + j + k, 0),
+               f.f213.at(i, 0),         f.of(f.f013, i, j + k),
+               f.f032.at(i + k, j),     f.f231.at(i, j),
+               f.f032.at(i + j + k, 0), f.f231.at(i, 0)}
+  {
+    std::array<std::array<double, dim>, 4> sums;
+    const auto c_of = [&](const double* face, std::ptrdiff_t s, std::ptrdiff_t t, int c)
+    { return f.of(face, s, t)[c]; };
+    for (int c = 0; c < dim; ++c)
+    {
+      sums[0][c] = at.corner[0][c] + c_of(f.f023, j, k, c) - c_of(f.f012, 0, j, c) - c_of(f.f013, 0, k, c);
+      sums[1][c] = at.corner[1][c] + c_of(f.f123, j, k, c) - c_of(f.f123, j, 0, c) - c_of(f.f123, 0, k, c);
+      sums[2][c] = at.corner[2][c] - c_of(f.f023, f.n - k, k, c);
+      sums[3][c] = at.corner[3][c] - c_of(f.f023, j, f.n - j, c);
+    }
+    for (std::size_t v = 0; v < 4; ++v)
+      fixed[v] = repeated<dim>(sums[v].data());
+  }
+
+  std::array<const double*, 16> moving;
+  std::array<Repeated<dim>, 4> fixed;
+};
 
 }  // namespace
 
 void place_tetrahedron(const BlockPlan& plan, std::span<const BlockPlan::Row> rows, const BoundaryData<3>& at,
                        double* x)
 {
-  const Faces faces{at.side[0], at.side[1], at.side[2], at.side[3], plan.grid.steps[0]};
-  const bool alike = plan.reference.empty();
-  const double* stored = plan.reference.data();
-  const std::vector<double>& line = plan.lines[0];
-  const auto& p = at.corner;
-  for (const BlockPlan::Row& row : rows)
+  const auto place = [&](auto coordinates, double* work)
   {
-    double* out = x + static_cast<std::ptrdiff_t>(dim) * row.node;
-    for (int i = row.begin; i < row.end; ++i, out += dim)
+    constexpr bool alike = decltype(coordinates)::are_alike;
+    const Faces faces(at, plan.grid.steps[0], work);
+    for (const BlockPlan::Row& row : rows)
     {
-      const std::array<double, 3> r =
-          alike ? std::array{line[i], line[row.j], line[row.k]} : std::array{stored[0], stored[1], stored[2]};
-      stored += alike ? 0 : 3;
-      const Weights w{1.0 - r[0] - r[1] - r[2], r[0], r[1], r[2]};
-      for (int c = 0; c < dim; ++c)
-        out[c] = w[0] * p[0][c] + w[1] * p[1][c] + w[2] * p[2][c] + w[3] * p[3][c];
-      blend(faces, w, i, row.j, row.k, out);
+      const RowCoordinates<alike> r = coordinates.next(row);
+      const FaceRow f(faces, at, row.begin, row.j, row.k);
+      const auto value = [&](auto load, std::ptrdiff_t t, int m) -> Lanes
+      {
+        const auto a = [&](std::size_t q) { return load(f.moving[q] + t); };
+        const Lanes w1 = r.template get<0>(load, t);
+        const auto w2 = r.template get<1>(load, t);
+        const auto w3 = r.template get<2>(load, t);
+        return (1.0 - w2 - w3 - w1) * (a(0) + a(1) - a(2) + f.fixed[0][m]) +
+               w1 * (a(3) + a(4) - a(5) + f.fixed[1][m]) +
+               w2 * (a(6) + a(7) + a(8) - a(9) - a(10) + f.fixed[2][m]) +
+               w3 * (a(11) + a(12) + a(13) - a(14) - a(15) + f.fixed[3][m]);
+      };
+      write_row<dim>(row.end - row.begin, x + static_cast<std::ptrdiff_t>(dim) * row.node, value);
     }
-  }
+  };
+  with_coordinates<dim>(plan, at.work, place);
+}
+
+std::size_t tetrahedron_work(const BlockPlan& plan)
+{
+  return 3 * face_size(plan.grid.steps[0]);
 }
 
 }  // namespace blockfsi::block

@@ -1,6 +1,7 @@
 #include "block/kernel.hpp"
 
-#include <array>
+#include "block/kernel_row.hpp"
+
 #include <cstddef>
 
 namespace blockfsi::block
@@ -9,69 +10,60 @@ namespace blockfsi::block
 namespace
 {
 
-/// Barycentric weights of a node.
-using Weights = std::array<double, 3>;
-
-/// Reads the weights of the nodes of a row: equal steps, or those stored.
-class RowWeights
+/// Copies the points of a line from its last to its first.
+void reverse_points(const double* from, std::ptrdiff_t count, int dim, double* to)
 {
-public:
-  RowWeights(const BlockPlan& plan) : plan_(plan), stored_(plan.reference.data()) {}
-
-  Weights next(int i, int j)
-  {
-    if (plan_.reference.empty())
-    {
-      const std::vector<double>& line = plan_.lines[0];
-      return {1.0 - line[i] - line[j], line[i], line[j]};
-    }
-    const Weights weights{1.0 - stored_[0] - stored_[1], stored_[0], stored_[1]};
-    stored_ += 2;
-    return weights;
-  }
-
-private:
-  const BlockPlan& plan_;
-  const double* stored_;
-};
-
-/// Differences along the three edges of a triangle (0, 1), (1, 2), (0, 2) at node (i, j): the parallel form
-/// sum_i w_i (E_ij(w_j) + E_ik(w_k)), shape of the arrays (n + 1, dim).
-template <int dim>
-struct Edges
-{
-  const double* e01;
-  const double* e12;
-  const double* e02;
-  std::ptrdiff_t n;
-
-  double blend(const Weights& w, std::ptrdiff_t i, std::ptrdiff_t j, std::ptrdiff_t c) const
-  {
-    const std::ptrdiff_t sum = i + j;
-    return w[0] * (e01[dim * i + c] + e02[dim * j + c]) + w[1] * (e01[dim * sum + c] + e12[dim * j + c]) +
-           w[2] * (e02[dim * sum + c] + e12[dim * (n - i) + c]);
-  }
-};
+  for (std::ptrdiff_t i = 0; i < count; ++i)
+    std::copy_n(from + dim * (count - 1 - i), dim, to + dim * i);
+}
 
 }  // namespace
 
+/// The straight triangle and the parallel form sum_i w_i (E_ij(w_j) + E_ik(w_k)) of the differences E along
+/// its edges (0, 1), (1, 2), (0, 2); at node (i, j) the three are taken at i and i + j, j and n - i, j and i
+/// + j.
 template <int dim>
 void place_triangle(const BlockPlan& plan, std::span<const BlockPlan::Row> rows, const BoundaryData<dim>& at,
                     double* x)
 {
-  const Edges<dim> edges{at.side[0], at.side[1], at.side[2], plan.grid.steps[0]};
-  RowWeights weights(plan);
-  for (const BlockPlan::Row& row : rows)
+  const std::ptrdiff_t n = plan.grid.steps[0];
+  const auto place = [&](auto coordinates, double* e21)
   {
-    double* out = x + static_cast<std::ptrdiff_t>(dim) * row.node;
-    for (int i = row.begin; i < row.end; ++i, out += dim)
+    constexpr bool alike = decltype(coordinates)::are_alike;
+    const double* e01 = at.side[0];
+    const double* e12 = at.side[1];
+    const double* e02 = at.side[2];
+    reverse_points(e12, n + 1, dim, e21);
+    std::array<Repeated<dim>, 3> corner;
+    for (std::size_t k = 0; k < 3; ++k)
+      corner[k] = repeated<dim>(at.corner[k].data());
+    for (const BlockPlan::Row& row : rows)
     {
-      const Weights w = weights.next(i, row.j);
-      for (int c = 0; c < dim; ++c)
-        out[c] = w[0] * at.corner[0][c] + w[1] * at.corner[1][c] + w[2] * at.corner[2][c] +
-                 edges.blend(w, i, row.j, c);
+      const RowCoordinates<alike> r = coordinates.next(row);
+      const std::ptrdiff_t j = static_cast<std::ptrdiff_t>(dim) * row.j;
+      const std::ptrdiff_t begin = static_cast<std::ptrdiff_t>(dim) * row.begin;
+      Repeated<dim> along0 = repeated<dim>(e02 + j);
+      Repeated<dim> along1 = repeated<dim>(e12 + j);
+      for (int m = 0; m < dim; ++m)
+      {
+        along0[m] += corner[0][m];
+        along1[m] += corner[1][m];
+      }
+      const double* first01 = e01 + begin;
+      const double* sum01 = e01 + begin + j;
+      const double* sum02 = e02 + begin + j;
+      const double* rest21 = e21 + begin;
+      const auto value = [&](auto load, std::ptrdiff_t t, int m) -> Lanes
+      {
+        const Lanes u = r.template get<0>(load, t);
+        const auto v = r.template get<1>(load, t);
+        return (1.0 - v - u) * (load(first01 + t) + along0[m]) + u * (load(sum01 + t) + along1[m]) +
+               v * (load(sum02 + t) + load(rest21 + t) + corner[2][m]);
+      };
+      write_row<dim>(row.end - row.begin, x + static_cast<std::ptrdiff_t>(dim) * row.node, value);
     }
-  }
+  };
+  with_coordinates<dim>(plan, at.work, place);
 }
 
 template void place_triangle<2>(const BlockPlan&, std::span<const BlockPlan::Row>, const BoundaryData<2>&,
@@ -94,61 +86,130 @@ enum PrismSide
   top
 };
 
-/// What the parallel form over the three upright sides gives at a level: sides less the upright edges.
+/// The upright sides of a prism at a level, along (0, 1), (0, 2) and (2, 1), less the upright edges: what the
+/// parallel form takes there. Each has n + 1 points.
 struct Level
 {
-  Level(const BoundaryData<3>& at, std::ptrdiff_t n, std::ptrdiff_t k)
-      : edges{at.side[front] + dim * (n + 1) * k, at.side[right] + dim * (n + 1) * k,
-              at.side[left] + dim * (n + 1) * k, n}
+  Level(double* memory, std::ptrdiff_t n)
+      : e01(memory), e02(memory + dim * (n + 1)), e21(memory + 2 * dim * (n + 1)), last(dim * n)
   {
   }
 
-  double blend(const Weights& w, std::ptrdiff_t i, std::ptrdiff_t j, std::ptrdiff_t c) const
+  static std::size_t size(std::ptrdiff_t n) { return 3 * dim * (static_cast<std::size_t>(n) + 1); }
+
+  /// Reads level k. The upright edges 0, 1 and 2 enter with the weights w_0, w_1, w_2 once, not twice.
+  void read(const BoundaryData<3>& at, std::ptrdiff_t n, std::ptrdiff_t k) const
   {
-    return edges.blend(w, i, j, c) - w[0] * edges.e01[c] - w[1] * edges.e12[c] -
-           w[2] * edges.e12[dim * edges.n + c];
+    const std::ptrdiff_t offset = dim * (n + 1) * k;
+    std::copy_n(at.side[front] + offset, dim * (n + 1), e01);
+    std::copy_n(at.side[left] + offset, dim * (n + 1), e02);
+    reverse_points(at.side[right] + offset, n + 1, dim, e21);
   }
 
-  Edges<dim> edges;
+  void subtract(const Level& other) const
+  {
+    for (std::ptrdiff_t t = 0; t < 3 * (last + dim); ++t)
+      e01[t] -= other.e01[t];
+  }
+
+  double* e01;
+  double* e02;
+  double* e21;
+  std::ptrdiff_t last;  ///< where the last point is
+};
+
+/// The parallel form along one row of a level.
+struct LevelRow
+{
+  LevelRow(const Level& level, std::ptrdiff_t i, std::ptrdiff_t j)
+      : first01(level.e01 + i), sum01(level.e01 + i + j), sum02(level.e02 + i + j), rest21(level.e21 + i)
+  {
+    const double* e12 = level.e21 + level.last - j;
+    std::array<std::array<double, dim>, 3> sums;
+    for (int c = 0; c < dim; ++c)
+    {
+      sums[0][c] = level.e02[j + c] - level.e01[c];
+      sums[1][c] = e12[c] - level.e21[level.last + c];
+      sums[2][c] = -level.e21[c];
+    }
+    for (std::size_t k = 0; k < 3; ++k)
+      fixed[k] = repeated<dim>(sums[k].data());
+  }
+
+  template <typename Loader, typename U, typename V>
+  Lanes blend(Loader load, std::ptrdiff_t t, int m, const U& u, const V& v) const
+  {
+    return (1.0 - v - u) * (load(first01 + t) + fixed[0][m]) + u * (load(sum01 + t) + fixed[1][m]) +
+           v * (load(sum02 + t) + load(rest21 + t) + fixed[2][m]);
+  }
+
+  const double* first01;
+  const double* sum01;
+  const double* sum02;
+  const double* rest21;
+  std::array<Repeated<dim>, 3> fixed;
 };
 
 }  // namespace
 
-/// P(w, z) + (1 - z) (F_0 - P(w, 0)) + z (F_1 - P(w, 1)) with the parallel form P over the upright sides.
+/// P(w, z) + (1 - z) (F_0 - P(w, 0)) + z (F_1 - P(w, 1)) with the parallel form P over the upright sides:
+/// P(w, z) - P(w, 0) is formed first, and P(w, 1) - P(w, 0) is what z takes of it.
 void place_prism(const BlockPlan& plan, std::span<const BlockPlan::Row> rows, const BoundaryData<3>& at,
                  double* x)
 {
   const std::ptrdiff_t n = plan.grid.steps[0];
-  const Level low(at, n, 0);
-  const Level high(at, n, plan.grid.steps[2]);
-  const bool alike = plan.reference.empty();
-  const double* stored = plan.reference.data();
-  const auto& p = at.corner;
-  for (const BlockPlan::Row& row : rows)
+  const auto place = [&](auto coordinates, double* work)
   {
-    const Level level(at, n, row.k);
-    const std::ptrdiff_t first = triangle_row(n, row.j);
-    const double* face_low = at.side[bottom] + dim * first;
-    const double* face_high = at.side[top] + dim * first;
-    double* out = x + static_cast<std::ptrdiff_t>(dim) * row.node;
-    for (int i = row.begin; i < row.end; ++i, out += dim)
+    constexpr bool alike = decltype(coordinates)::are_alike;
+    const Level low(work, n);
+    const Level high(work + Level::size(n), n);
+    const Level level(work + 2 * Level::size(n), n);
+    low.read(at, n, 0);
+    high.read(at, n, plan.grid.steps[2]);
+    high.subtract(low);
+    std::array<Repeated<dim>, 6> corner;
+    for (std::size_t k = 0; k < 6; ++k)
+      corner[k] = repeated<dim>(at.corner[k].data());
+    int of_level = -1;
+    for (const BlockPlan::Row& row : rows)
     {
-      const double w1 = alike ? plan.lines[0][i] : stored[0];
-      const double w2 = alike ? plan.lines[0][row.j] : stored[1];
-      const double z = alike ? plan.lines[2][row.k] : stored[2];
-      stored += alike ? 0 : 3;
-      const Weights w{1.0 - w1 - w2, w1, w2};
-      for (int c = 0; c < dim; ++c)
+      const RowCoordinates<alike> r = coordinates.next(row);
+      if (row.k != of_level)
       {
-        const std::ptrdiff_t t = static_cast<std::ptrdiff_t>(dim) * i + c;
-        out[c] = level.blend(w, i, row.j, c) +
-                 (1.0 - z) * (w[0] * p[0][c] + w[1] * p[1][c] + w[2] * p[2][c] + face_low[t] -
-                              low.blend(w, i, row.j, c)) +
-                 z * (w[0] * p[3][c] + w[1] * p[4][c] + w[2] * p[5][c] + face_high[t] -
-                      high.blend(w, i, row.j, c));
+        of_level = row.k;
+        level.read(at, n, row.k);
+        level.subtract(low);
       }
+      const std::ptrdiff_t i = static_cast<std::ptrdiff_t>(dim) * row.begin;
+      const std::ptrdiff_t j = static_cast<std::ptrdiff_t>(dim) * row.j;
+      const LevelRow at_level(level, i, j);
+      const LevelRow rise(high, i, j);
+      const double* face_low = at.side[bottom] + dim * triangle_row(n, row.j) + i;
+      const double* face_high = at.side[top] + dim * triangle_row(n, row.j) + i;
+      const auto value = [&](auto load, std::ptrdiff_t t, int m) -> Lanes
+      {
+        const Lanes u = r.template get<0>(load, t);
+        const auto v = r.template get<1>(load, t);
+        const auto z = r.template get<2>(load, t);
+        const Lanes w = 1.0 - v - u;
+        return at_level.blend(load, t, m, u, v) - z * rise.blend(load, t, m, u, v) +
+               (1.0 - z) * (w * corner[0][m] + u * corner[1][m] + v * corner[2][m] + load(face_low + t)) +
+               z * (w * corner[3][m] + u * corner[4][m] + v * corner[5][m] + load(face_high + t));
+      };
+      write_row<dim>(row.end - row.begin, x + static_cast<std::ptrdiff_t>(dim) * row.node, value);
     }
-  }
+  };
+  with_coordinates<dim>(plan, at.work, place);
+}
+
+std::size_t triangle_work(const BlockPlan& plan, int dimension)
+{
+  return static_cast<std::size_t>(dimension) * (static_cast<std::size_t>(plan.grid.steps[0]) + 1);
+}
+
+std::size_t prism_work(const BlockPlan& plan)
+{
+  return 3 * Level::size(plan.grid.steps[0]);
 }
 
 }  // namespace blockfsi::block

@@ -288,6 +288,9 @@ std::vector<double> solid_corners(const Grid& grid, const Lines& edges)
       }
   }
 
+  std::vector<double> work(kernel_work(plan, 3));
+  boundary.work = work.data();
+
   // With all corners at 0 the kernels give what the blend adds to equal steps, for given weights.
   const auto for_each_inner = [&](const auto& visit)
   {
