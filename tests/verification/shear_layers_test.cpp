@@ -137,12 +137,15 @@ TEST_CASE("coupled layers of fluid and solid are of order p + 1 in space")
 {
   // Compared with order 8 in as many steps, so that the error in time drops out, along the middle of long
   // layers: at their open sides the stabilisation of the pressure disturbs a flow that does not end there.
+  // Ringing is damped: the start in time leaves layers at the interface, thin and of an amplitude of 1e-7 of
+  // the velocity, that cells of order 4 which are large for all else do not resolve.
   const auto of_order = [](int order, int cells)
   {
-    return finished({.order = order,
-                     .cells = cells,
-                     .tolerance = 1e-8,
-                     .more = {"let.L=12", "blocks.lattice.layers.divide.x=[12]"}});
+    return finished(
+        {.order = order,
+         .cells = cells,
+         .tolerance = 1e-8,
+         .more = {"let.L=12", "time.ringing_decay=0.025", "blocks.lattice.layers.divide.x=[12]"}});
   };
   const auto best = of_order(8, 4);
   for (int order = 1; order <= 4; ++order)
@@ -153,9 +156,7 @@ TEST_CASE("coupled layers of fluid and solid are of order p + 1 in space")
     MESSAGE("order " << order << ": errors of u " << coarse.u << " " << fine.u << ", rate "
                      << std::log2(coarse.u / fine.u) << "; of d " << coarse.d << " " << fine.d << ", rate "
                      << std::log2(coarse.d / fine.d));
-    // The start of the scheme in time leaves thin layers at the interface, of an amplitude of 1e-7 of the
-    // velocity, which cells of order 4 that are large for all else do not resolve.
-    CHECK(std::log2(coarse.u / fine.u) > (order < 4 ? order + 1 - 0.15 : 4.0));
+    CHECK(std::log2(coarse.u / fine.u) > order + 1 - (order < 4 ? 0.15 : 0.3));
     CHECK(std::log2(coarse.d / fine.d) > order + 1 - 0.15);
   }
 }
