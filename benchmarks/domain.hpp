@@ -112,7 +112,7 @@ struct Domain
 {
   explicit Domain(const blockfsi::block::Layout& layout)
       : skeleton(blockfsi::block::make_skeleton(layout)),
-        connected(blockfsi::block::connect(layout, skeleton, "fluid", {})),
+        connected(blockfsi::block::connect(layout, skeleton, "", {})),
         x(layout.dim * connected.mesh.node_count())
   {
     blockfsi::block::place(connected.plan, skeleton.x, x);
