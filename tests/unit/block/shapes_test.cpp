@@ -334,6 +334,44 @@ TEST_CASE("graded blocks with straight edges stay straight: the graded coordinat
     }
 }
 
+TEST_CASE("curved and graded blocks have the same nodes in every share, bit for bit")
+{
+  for (const Shape shape : shapes)
+    for (const bool alike : {true, false})
+    {
+      CAPTURE(element::name(shape));
+      CAPTURE(alike);
+      std::mt19937 random(7);
+      std::uniform_real_distribution<double> shift(-0.05, 0.05);
+      Layout layout = one_cell(shape, 2, 9);
+      for (const auto& ends : element::edges(shape))
+      {
+        geometry::Point middle{};
+        for (int c = 0; c < layout.dim; ++c)
+          middle[c] = 0.5 * (layout.points[ends[0]].x[c] + layout.points[ends[1]].x[c]) + shift(random);
+        Edge& edge = add_edge(layout, ends[0], ends[1]);
+        edge.curve = geometry::ArcThrough{middle};
+        if (!alike)
+          edge.grading = Geometric{1.1 + shift(random)};
+      }
+      const Skeleton skeleton = make_skeleton(layout);
+      const std::vector<double> expected = place(connect(layout, skeleton, "", {}), skeleton);
+      for (const int parts : {2, 5})
+        for (int rank = 0; rank < parts; ++rank)
+        {
+          const Connected part = connect(layout, skeleton, "fluid", {rank, parts});
+          const std::vector<double> x = place(part, skeleton);
+          int different = 0;
+          for (std::size_t n = 0; n < part.mesh.node_count(); ++n)
+            for (int c = 0; c < layout.dim; ++c)
+              different +=
+                  x[layout.dim * n + c] != expected[layout.dim * std::size_t(part.mesh.lattice[n]) + c] ? 1
+                                                                                                        : 0;
+          CHECK(different == 0);
+        }
+    }
+}
+
 TEST_CASE("the shares of 1, 2, 3, 5 and 7 processes add up to the whole mesh for every shape")
 {
   for (const Shape shape : shapes)
