@@ -1,5 +1,6 @@
 #include "block/corner_blocks.hpp"
 
+#include "block/face_plan.hpp"
 #include "block/numbering.hpp"
 #include "block/reference.hpp"
 #include "block/topology.hpp"
@@ -61,20 +62,13 @@ double triangle_area(const geometry::Point& a, const geometry::Point& b, const g
   return 0.5 * geometry::norm(geometry::cross(geometry::subtract(b, a), geometry::subtract(c, a)));
 }
 
-geometry::Point skeleton_point(const Skeleton& skeleton, std::int64_t node)
-{
-  geometry::Point x{};
-  std::copy_n(skeleton.x.begin() + node * skeleton.dim, skeleton.dim, x.begin());
-  return x;
-}
-
 /// Length of the nodes of an edge joined by straight lines.
 double length(const Skeleton& skeleton, const PlacedEdge& edge)
 {
   const std::vector<std::int32_t> nodes = edge_numbers(edge);
   double sum = 0.0;
   for (std::size_t k = 1; k < nodes.size(); ++k)
-    sum += geometry::distance(skeleton_point(skeleton, nodes[k - 1]), skeleton_point(skeleton, nodes[k]));
+    sum += geometry::distance(node_position(skeleton, nodes[k - 1]), node_position(skeleton, nodes[k]));
   return sum;
 }
 
@@ -87,7 +81,7 @@ double area(const Skeleton& skeleton, const PlacedFace& face)
   for (int j = 0; j + 1 < row_count(grid, 0); ++j)
     for (int i = 0; i + 1 < row_length(grid, j, 0); ++i)
     {
-      const auto at = [&](int a, int b) { return skeleton_point(skeleton, nodes[index(grid, {a, b, 0})]); };
+      const auto at = [&](int a, int b) { return node_position(skeleton, nodes[index(grid, {a, b, 0})]); };
       sum += triangle_area(at(i, j), at(i + 1, j), at(i, j + 1));
       if (i + 1 < row_length(grid, j + 1, 0))
         sum += triangle_area(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
@@ -146,7 +140,7 @@ void measure(const Layout& layout, const Skeleton& skeleton, std::string_view re
   for (std::size_t e = 0; e < moving.edge.size(); ++e)
     if (moving.edge[e])
       shortest = std::min(shortest, length(skeleton, skeleton.edges[e]));
-  geometry::Point low = skeleton_point(skeleton, interface[0]);
+  geometry::Point low = node_position(skeleton, interface[0]);
   geometry::Point high = low;
   for (const std::int64_t node : interface)
     for (int i = 0; i < skeleton.dim; ++i)
@@ -198,16 +192,14 @@ MovingSides moving_sides(const Layout& layout, const Skeleton& skeleton, std::st
 
 CoarseBlocks::CoarseBlocks(const Layout& layout, const Skeleton& skeleton, const MovingSides& moving,
                            std::span<const std::int64_t> interface, int degree)
-    : layout_(layout), skeleton_(skeleton), moving_(moving), interface_(interface), degree_(degree)
+    : layout_(layout), skeleton_(skeleton), moving_(moving), interface_(interface), degree_(degree),
+      samples_(degree)
 {
   for (const PlacedFace& face : skeleton.faces)
   {
     FaceLattice& lattice = faces_.emplace_back();
     lattice.nodes = face_numbers(skeleton, face);
-    const auto edges = element::edges(face.shape);
-    for (std::size_t e = 0; e < edges.size(); ++e)
-      lattice.parameters.push_back(
-          directed_parameters(skeleton, skeleton.edges[face.edges[e]], face.points[edges[e][0]]));
+    lattice.parameters = edge_parameters(skeleton, face);
   }
   add_facets();
 }
@@ -218,9 +210,7 @@ CoarseBlock CoarseBlocks::make(int number)
   CoarseBlock block;
   block.shape = source.shape;
   block.corners = source.points;
-  CornerSamples& samples = samples_[static_cast<std::size_t>(block.shape)];
-  if (samples.count == 0)
-    samples = corner_samples(block.shape, degree_);
+  const CornerSamples& samples = samples_.of(block.shape);
   const double corner_weight = skeleton_.dim == 2 ? -1.0 : 1.0;
   for (int s = 0; s < samples.count; ++s)
   {
@@ -379,7 +369,7 @@ std::vector<CoarseBlocks::NodeWeight> CoarseBlocks::corners_at(const Strand& str
 
 geometry::Point CoarseBlocks::position(std::int64_t node) const
 {
-  return skeleton_point(skeleton_, node);
+  return node_position(skeleton_, node);
 }
 
 void CoarseBlocks::add_facets()

@@ -82,7 +82,7 @@ private:
   /// The interface as segments or triangles (then corner by corner).
   std::vector<std::array<geometry::Point, 3>> facets_;
   int degree_;
-  std::array<CornerSamples, element::shape_count> samples_;  ///< by shape, made when needed
+  SamplesByShape samples_;
 };
 
 }  // namespace blockfsi::block

@@ -47,26 +47,17 @@ Eigen::Matrix<double, dim, dim> reference_gradient(const CornerSamples& samples,
 
 template <int dim>
 CornerEnergy<dim>::CornerEnergy(const CornerGraph& graph, const EnergyParameters& parameters)
-    : graph_(graph), parameters_(parameters), unknowns_(unknown_numbers(graph))
+    : graph_(graph), parameters_(parameters), shapes_(graph.degree), unknowns_(unknown_numbers(graph))
 {
   for (const CoarseBlock& block : graph.blocks)
     add_block(graph, block, parameters);
 }
 
 template <int dim>
-const CornerSamples& CornerEnergy<dim>::samples_of(element::Shape shape)
-{
-  CornerSamples& samples = shapes_[static_cast<std::size_t>(shape)];
-  if (samples.count == 0)
-    samples = corner_samples(shape, graph_.degree);
-  return samples;
-}
-
-template <int dim>
 void CornerEnergy<dim>::add_block(const CornerGraph& graph, const CoarseBlock& block,
                                   const EnergyParameters& parameters)
 {
-  const CornerSamples& samples = samples_of(block.shape);
+  const CornerSamples& samples = shapes_.of(block.shape);
   Block entry{block.corners, {}, samples_.size(), samples.count, !block.bends.empty()};
   for (int c = 0; c < samples.corner_count; ++c)
     if (graph.corners[block.corners[c]].freedom > 0)
@@ -100,7 +91,7 @@ void CornerEnergy<dim>::bend(std::span<const double> d)
     if (!blocks_[b].bends)
       continue;
     const CoarseBlock& block = graph_.blocks[b];
-    const CornerSamples& samples = samples_of(block.shape);
+    const CornerSamples& samples = shapes_.of(block.shape);
     bent.assign(static_cast<std::size_t>(samples.count) * dim, 0.0);
     for (const CoarseBlock::Bend& term : block.bends)
       for (int i = 0; i < dim; ++i)

@@ -6,7 +6,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -80,11 +79,9 @@ private:
   void add_sample(const Block& block, int sample, const Distortion<dim>& point, double weight,
                   Eigen::VectorXd& gradient, Eigen::MatrixXd& hessian) const;
 
-  const CornerSamples& samples_of(element::Shape shape);
-
   CornerGraph graph_;
   EnergyParameters parameters_;
-  std::array<CornerSamples, element::shape_count> shapes_;  ///< made when needed
+  SamplesByShape shapes_;
   std::vector<int> unknowns_;
   std::vector<Block> blocks_;
   std::vector<Sample> samples_;

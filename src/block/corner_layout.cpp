@@ -65,12 +65,7 @@ private:
                                                element::name(block.shape)));
   }
 
-  Point position(std::int64_t node) const
-  {
-    Point x{};
-    std::copy_n(skeleton_.x.begin() + node * skeleton_.dim, skeleton_.dim, x.begin());
-    return x;
-  }
+  Point position(std::int64_t node) const { return node_position(skeleton_, node); }
 
   void add_corners(const CornerParameters& parameters)
   {

@@ -1,5 +1,6 @@
 #include "block/corner_layout.hpp"
 
+#include "block/corner_blocks.hpp"
 #include "core/error.hpp"
 
 #include <fmt/format.h>
@@ -50,12 +51,6 @@ private:
     done
   };
 
-  std::int32_t interface_index(std::int64_t node) const
-  {
-    const auto at = std::lower_bound(interface_.begin(), interface_.end(), node);
-    return at != interface_.end() && *at == node ? static_cast<std::int32_t>(at - interface_.begin()) : -1;
-  }
-
   void check_point(int point) const
   {
     if (point < 0 || point >= skeleton_.point_count)
@@ -67,7 +62,7 @@ private:
   {
     check_point(rule.point);
     const std::string& name = skeleton_.point_names[rule.point];
-    if (interface_index(rule.point) >= 0)
+    if (interface_index(interface_, rule.point) >= 0)
       throw Error(
           fmt::format("the point '{}' lies on the interface and moves with it; remove its rule", name));
     if (rule_[rule.point])
@@ -80,7 +75,7 @@ private:
   void resolve(int point)
   {
     state_[point] = State::busy;
-    const std::int32_t index = interface_index(point);
+    const std::int32_t index = interface_index(interface_, point);
     if (index >= 0)
       rows_[point][index] = 1.0;
     else if (rule_[point])

@@ -96,8 +96,8 @@ CornerReport CornerMotion::search(std::span<const double> d, std::span<double> U
   Nonlinear& state = *nonlinear_;
   const std::vector<double> last_d = state.d;
   const Eigen::VectorXd last_y = state.y;
-  const Eigen::VectorXd change = constant(d, U) - constant(last_d, U);
   const Eigen::VectorXd constant_y = constant(d, U);
+  const Eigen::VectorXd change = constant_y - constant(last_d, U);
   CornerReport report = std::visit(
       [&](auto& energy)
       {

@@ -130,9 +130,10 @@ Eigen::MatrixXd elastic_stiffness(const CornerGraph& graph)
   constexpr double mu = 0.5 / (1.0 + poisson);
   const auto size = static_cast<Eigen::Index>(graph.corners.size()) * dim;
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(size, size);
+  SamplesByShape by_shape(graph.degree);
   for (const CoarseBlock& block : graph.blocks)
   {
-    const CornerSamples samples = corner_samples(block.shape, graph.degree);
+    const CornerSamples& samples = by_shape.of(block.shape);
     using Table = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     const Eigen::Map<const Table> x(block.x.data(), samples.count, dim);
     const Eigen::Map<const Table> derivative(samples.derivative.data(), dim * samples.count, samples.count);

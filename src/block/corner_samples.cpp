@@ -123,4 +123,12 @@ CornerSamples corner_samples(element::Shape shape, int degree)
   return shape == element::Shape::triangle ? triangle(degree) : box(shape, degree);
 }
 
+const CornerSamples& SamplesByShape::of(element::Shape shape)
+{
+  CornerSamples& samples = samples_[static_cast<std::size_t>(shape)];
+  if (samples.count == 0)
+    samples = corner_samples(shape, degree_);
+  return samples;
+}
+
 }  // namespace blockfsi::block

@@ -26,4 +26,17 @@ struct CornerSamples
 /// corners, where blocks fold first.
 CornerSamples corner_samples(element::Shape shape, int degree);
 
+/// The samples of one degree, made for each shape when they are first asked for.
+class SamplesByShape
+{
+public:
+  explicit SamplesByShape(int degree) : degree_(degree) {}
+
+  const CornerSamples& of(element::Shape shape);
+
+private:
+  int degree_;
+  std::array<CornerSamples, element::shape_count> samples_;
+};
+
 }  // namespace blockfsi::block

@@ -2,12 +2,11 @@
 
 #include "block/face_shape.hpp"
 #include "block/message.hpp"
+#include "block/numbering.hpp"
 #include "block/topology.hpp"
 #include "element/line.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <variant>
 
 namespace blockfsi::block
 {
@@ -15,29 +14,13 @@ namespace blockfsi::block
 namespace
 {
 
-bool is_straight(const Layout& layout, int info)
-{
-  return info < 0 || std::holds_alternative<geometry::Segment>(layout.edges[info].curve);
-}
-
 /// Where cells of a skeleton's edge end.
 std::vector<std::array<double, 3>> cell_ends(const Skeleton& skeleton, const PlacedEdge& edge)
 {
   std::vector<std::array<double, 3>> ends;
   for (int i = 1; i < edge.divisions; ++i)
-  {
-    const std::int64_t node = edge.first + static_cast<std::int64_t>(i) * skeleton.order - 1;
-    std::array<double, 3> x{};
-    for (int c = 0; c < skeleton.dim; ++c)
-      x[c] = skeleton.x[node * skeleton.dim + c];
-    ends.push_back(x);
-  }
+    ends.push_back(node_position(skeleton, edge.first + static_cast<std::int64_t>(i) * skeleton.order - 1));
   return ends;
-}
-
-bool is_finite(const std::array<double, 3>& x)
-{
-  return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
 }
 
 }  // namespace
@@ -51,13 +34,13 @@ std::vector<EdgeLine> edge_lines(const Layout& given, const Skeleton& skeleton, 
   for (std::size_t e = 0; e < topology.edges.size(); ++e)
   {
     EdgeLine line;
-    line.pieces = is_straight(layout, topology.info[e]) ? 1 : pieces;
+    line.pieces = is_straight(layout, topology, static_cast<int>(e)) ? 1 : pieces;
     const geometry::Path path = edge_path(layout, topology, static_cast<int>(e));
     line.x.push_back(path.evaluate(0.0));
     for (int piece = 0; piece < line.pieces; ++piece)
       for (int i = 1; i <= order; ++i)
         line.x.push_back(path.evaluate((piece + inner[i]) / line.pieces));
-    if (!std::all_of(line.x.begin(), line.x.end(), is_finite))
+    if (!std::all_of(line.x.begin(), line.x.end(), geometry::is_finite))
       throw mistake(layout.edges[topology.info[e]].where,
                     "the curve of the edge " + edge_text(layout, topology.edges[e].a, topology.edges[e].b) +
                         " has no finite value somewhere between its ends; correct its formula");

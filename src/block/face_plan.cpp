@@ -1,17 +1,12 @@
 #include "block/face_plan.hpp"
 
 #include "block/numbering.hpp"
-#include "block/reference.hpp"
 
 #include <algorithm>
 
 namespace blockfsi::block
 {
 
-namespace
-{
-
-/// Graded parameters of the nodes of a face's edges, in their directions in the face.
 EdgeParameters edge_parameters(const Skeleton& skeleton, const PlacedFace& face)
 {
   EdgeParameters parameters;
@@ -21,8 +16,6 @@ EdgeParameters edge_parameters(const Skeleton& skeleton, const PlacedFace& face)
         directed_parameters(skeleton, skeleton.edges[face.edges[e]], face.points[edges[e][0]]));
   return parameters;
 }
-
-}  // namespace
 
 BlockPlan face_plan(const Skeleton& skeleton, const PlacedFace& face)
 {

@@ -1,6 +1,7 @@
 #include "block/face_shape.hpp"
 
 #include "block/blend.hpp"
+#include "block/face_plan.hpp"
 #include "block/message.hpp"
 #include "block/numbering.hpp"
 #include "block/reference.hpp"
@@ -140,10 +141,7 @@ private:
         lattice_.push_back({i + 1, j + 1, 0});
       }
     }
-    const auto edges = element::edges(face_.shape);
-    for (std::size_t e = 0; e < edges.size(); ++e)
-      parameters_.push_back(
-          directed_parameters(skeleton_, skeleton_.edges[face_.edges[e]], face_.points[edges[e][0]]));
+    parameters_ = edge_parameters(skeleton_, face_);
     set_reference(parameters_, skeleton_.order, 0, plan_);
   }
 

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace blockfsi::block
@@ -67,11 +66,7 @@ public:
 private:
   double slack() const { return tolerance * size_; }
   const PlacedEdge& edge(int e) const { return topology_.edges[e]; }
-  bool is_straight(int e) const
-  {
-    const int info = topology_.info[e];
-    return info < 0 || std::holds_alternative<geometry::Segment>(layout_.edges[info].curve);
-  }
+  bool is_straight(int e) const { return block::is_straight(layout_, topology_, e); }
 
   void cut()
   {

@@ -1,6 +1,7 @@
 #include "block/move.hpp"
 
 #include "block/blend.hpp"
+#include "block/corner_blocks.hpp"
 #include "block/face_plan.hpp"
 #include "block/numbering.hpp"
 
@@ -17,8 +18,7 @@ SkeletonMotion::SkeletonMotion(const Skeleton& skeleton, std::span<const std::in
       interface_(interface.begin(), interface.end()),
       point_values_(static_cast<std::size_t>(skeleton.point_count) * skeleton.dim)
 {
-  const auto moves = [&](std::int64_t node)
-  { return std::binary_search(interface_.begin(), interface_.end(), node); };
+  const auto moves = [&](std::int64_t node) { return interface_index(interface_, node) >= 0; };
   for (const PlacedEdge& edge : skeleton.edges)
     for (std::int64_t node = edge.first; node < edge.first + edge.count; ++node)
       if (!moves(node))

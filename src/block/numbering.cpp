@@ -114,6 +114,13 @@ std::vector<std::int32_t> face_numbers(const Skeleton& skeleton, const PlacedFac
   return numbers;
 }
 
+geometry::Point node_position(const Skeleton& skeleton, std::int64_t node)
+{
+  geometry::Point x{};
+  std::copy_n(skeleton.x.begin() + node * skeleton.dim, skeleton.dim, x.begin());
+  return x;
+}
+
 std::vector<std::int32_t> side_numbers(const Skeleton& skeleton, int side)
 {
   return skeleton.dim == 2 ? edge_numbers(skeleton.edges[side])

@@ -3,6 +3,7 @@
 #include "block/connect.hpp"
 #include "block/grid.hpp"
 #include "block/layout.hpp"
+#include "geometry/point.hpp"
 
 #include <cstdint>
 #include <span>
@@ -17,6 +18,9 @@ std::vector<std::int32_t> edge_numbers(const PlacedEdge& edge);
 std::vector<std::int32_t> face_numbers(const Skeleton& skeleton, const PlacedFace& face);
 /// The same for a side: an edge in 2D, a face in 3D.
 std::vector<std::int32_t> side_numbers(const Skeleton& skeleton, int side);
+
+/// Position of a node of the skeleton [m]; z = 0 in two dimensions.
+geometry::Point node_position(const Skeleton& skeleton, std::int64_t node);
 
 /// The lattice of nodes of a face.
 Grid face_grid(const PlacedFace& face, int order);

@@ -11,6 +11,7 @@
 #include <limits>
 #include <map>
 #include <utility>
+#include <variant>
 
 namespace blockfsi::block
 {
@@ -241,6 +242,12 @@ geometry::Path edge_path(const Layout& layout, const Topology& topology, int edg
   const int info = topology.info[edge];
   return {info < 0 ? straight : layout.edges[info].curve, layout.points[topology.edges[edge].a].x,
           layout.points[topology.edges[edge].b].x};
+}
+
+bool is_straight(const Layout& layout, const Topology& topology, int edge)
+{
+  const int info = topology.info[edge];
+  return info < 0 || std::holds_alternative<geometry::Segment>(layout.edges[info].curve);
 }
 
 double edge_length(const Layout& layout, const Topology& topology, int edge)

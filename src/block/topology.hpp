@@ -79,6 +79,9 @@ Topology make_topology(const Layout& layout);
 /// The curve of an edge, made ready for many points. Refers to the layout, which must outlive it.
 geometry::Path edge_path(const Layout& layout, const Topology& topology, int edge);
 
+/// Whether an edge is the straight line between its points.
+bool is_straight(const Layout& layout, const Topology& topology, int edge);
+
 /// Length of an edge [m].
 double edge_length(const Layout& layout, const Topology& topology, int edge);
 
