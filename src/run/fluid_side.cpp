@@ -41,6 +41,8 @@ motion::Report FluidSide::move(std::span<const double> displacement)
   motion::Report report;
   {
     const Stopwatch watch(*timings_, Task::place);
+    has_moved_ = true;
+    moved_validity_.reset();
     transfer_.to_fluid(displacement, displacement_);
     report = motion::follow(motion_, displacement_, x_new_);
     motion::mesh_velocity(step_, x_, x_new_, x_geometry_, w_);
@@ -73,6 +75,10 @@ void FluidSide::accept()
   reaction_time_ = step_.t + step_.theta * step_.step;
   state_ = solver_.finish(step_, state_, z_);
   x_ = x_new_;
+  // A fluid alone keeps its mesh, and all processes must agree on what is known.
+  if (has_moved_)
+    validity_ = moved_validity_;
+  has_moved_ = false;
   motion::accept(motion_, displacement_, x_);
 }
 
@@ -82,18 +88,20 @@ void FluidSide::measure()
   quality_ = combine(mesh::measure(quality_tables_, connected_.mesh, x_new_, first_jacobian_));
 }
 
-mesh::Validity FluidSide::certify() const
+const mesh::Validity& FluidSide::certify() const
 {
   const Stopwatch watch(*timings_, Task::quality);
-  return combine(mesh::certify(validity_tables_, connected_.mesh, x_));
+  if (!validity_)
+    validity_ = combine(mesh::certify(validity_tables_, connected_.mesh, x_));
+  return *validity_;
 }
 
-mesh::Validity FluidSide::certify_moved() const
+mesh::Validity FluidSide::certify_moved()
 {
   const Stopwatch watch(*timings_, Task::quality);
-  const mesh::Validity end = combine(mesh::certify(validity_tables_, connected_.mesh, x_new_));
-  if (!end.all_valid() || step_.geometry == 1.0)
-    return end;
+  moved_validity_ = combine(mesh::certify(validity_tables_, connected_.mesh, x_new_));
+  if (!moved_validity_->all_valid() || step_.geometry == 1.0)
+    return *moved_validity_;
   return combine(mesh::certify(validity_tables_, connected_.mesh, x_geometry_));
 }
 
@@ -106,6 +114,9 @@ void FluidSide::restore(fluid::State state, std::span<const double> displacement
   if (const motion::Report report = motion::follow(motion_, displacement_, x_); !report.ok)
     throw std::runtime_error(report.failure);
   x_new_ = x_;
+  validity_.reset();
+  moved_validity_.reset();
+  has_moved_ = false;
   measure();
 }
 

@@ -12,6 +12,7 @@
 #include "motion/update.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -57,9 +58,9 @@ public:
 
   /// Quality over all processes of the mesh as last moved, and of the accepted one with proof.
   const mesh::Quality& quality() const { return quality_; }
-  mesh::Validity certify() const;
+  const mesh::Validity& certify() const;
   /// Of the mesh as last moved, and of that on which integrals are taken.
-  mesh::Validity certify_moved() const;
+  mesh::Validity certify_moved();
 
   fluid::Solver& solver() { return solver_; }
   std::int64_t unknown_count() const { return solver_.unknown_count(); }
@@ -96,6 +97,9 @@ private:
   mesh::ValidityTables validity_tables_;
   std::vector<double> first_jacobian_;
   mesh::Quality quality_;
+  mutable std::optional<mesh::Validity> validity_;  ///< of the accepted mesh, once it is known
+  std::optional<mesh::Validity> moved_validity_;    ///< of the mesh as last moved, once it is known
+  bool has_moved_ = false;                          ///< since a mesh was accepted
 };
 
 }  // namespace blockfsi::run

@@ -133,14 +133,6 @@ enum class Begin
   transfer  ///< from another layout; it was done already
 };
 
-/// How steps ended.
-struct Ending
-{
-  Exit exit = Exit::done;
-  std::string failure;
-  bool switches = false;  ///< another layout takes over
-};
-
 /// Whether another layout takes over after a step that went well.
 bool is_due(const std::optional<case_file::Second>& second, const Simulation& simulation,
             const StepReport& report)
@@ -151,12 +143,15 @@ bool is_due(const std::optional<case_file::Second>& second, const Simulation& si
           (second->at && simulation.time() > *second->at - rounding * simulation.description().time.step));
 }
 
-/// Does one step after the other, until the end, a failure or a signal, or until another layout takes over.
-Ending step_through(Simulation& simulation, Results& results, const InterruptGuard& guard, const Place& place,
-                    const Observer& observer, const std::optional<case_file::Second>& second)
+/// Does one step after the other, until the end, a failure or a signal, or until another layout takes over;
+/// how they ended.
+Outcome step_through(Simulation& simulation, Results& results, const InterruptGuard& guard,
+                     const Place& place, const Observer& observer,
+                     const std::optional<case_file::Second>& second)
 {
   const int checkpoint_every = simulation.description().output.checkpoint_every;
   Progress progress(simulation);
+  Outcome ending;
   while (!simulation.finished())
   {
     const StepReport report = simulation.advance();
@@ -166,7 +161,8 @@ Ending step_through(Simulation& simulation, Results& results, const InterruptGua
       if (second && report.refused)
       {
         say("{}; another layout takes over\n", report.failure);
-        return {Exit::done, {}, true};
+        ending.switches = true;
+        return ending;
       }
       std::string picture;
       if (report.refused)
@@ -178,7 +174,9 @@ Ending step_through(Simulation& simulation, Results& results, const InterruptGua
       if (linalg::part().rank == 0)
         fmt::print(stderr, "blockfsi: {}; the last good state (t = {:g} s) is in the results{}\n",
                    report.failure, simulation.time(), picture);
-      return {Exit::failed, report.failure, false};
+      ending.exit = Exit::failed;
+      ending.failure = report.failure;
+      return ending;
     }
     {
       const Stopwatch watch(simulation.timings(), Task::output);
@@ -198,23 +196,25 @@ Ending step_through(Simulation& simulation, Results& results, const InterruptGua
     {
       progress.end();
       say("interrupted after step {}; continue with --restart\n", simulation.step());
-      return {Exit::interrupted, {}, false};
+      ending.exit = Exit::interrupted;
+      return ending;
     }
     if (is_due(second, simulation, report))
     {
       progress.end();
-      return {Exit::done, {}, true};
+      ending.switches = true;
+      return ending;
     }
     if (simulation.step() % checkpoint_every == 0)
       write_checkpoint(simulation, place.checkpoints, place.run);
   }
   progress.end();
-  return {};
+  return ending;
 }
 
 Outcome carry_out(Simulation& simulation, Begin begin, const Place& place,
                   std::chrono::steady_clock::time_point start, const Observer& observer,
-                  const std::optional<case_file::Second>& second, bool& switches)
+                  const std::optional<case_file::Second>& second)
 {
   const case_file::Case& description = simulation.description();
   const InterruptGuard guard;
@@ -229,11 +229,7 @@ Outcome carry_out(Simulation& simulation, Begin begin, const Place& place,
     results.add_fields();
 
   const std::int64_t first_step = simulation.step();
-  Outcome outcome;
-  const Ending ending = step_through(simulation, results, guard, place, observer, second);
-  outcome.exit = ending.exit;
-  outcome.failure = ending.failure;
-  switches = ending.switches;
+  Outcome outcome = step_through(simulation, results, guard, place, observer, second);
   if (outcome.exit != Exit::interrupted)
   {
     const Stopwatch watch(simulation.timings(), Task::output);
@@ -303,23 +299,22 @@ Exit run_both(const case_file::Case& description, const RunOptions& options)
   const Place place = make_place(folder);
   const Place next_place = make_place(folder / second.path.stem());
   const auto now = [] { return std::chrono::steady_clock::now(); };
-  bool switches = false;
   if (options.restart && output::latest_complete(next_place.checkpoints, 1))
   {
     Simulation next(other);
-    return carry_out(next, Begin::checkpoint, next_place, now(), {}, std::nullopt, switches).exit;
+    return carry_out(next, Begin::checkpoint, next_place, now(), {}, std::nullopt).exit;
   }
   Simulation first(description);
   Simulation next(other);
   const Transfer transfer(first, next);
   output::remove_all(next_place.checkpoints);
   const Begin begin = options.restart ? Begin::checkpoint : Begin::rest;
-  const Exit exit = carry_out(first, begin, place, now(), {}, second, switches).exit;
-  if (!switches)
-    return exit;
+  const Outcome outcome = carry_out(first, begin, place, now(), {}, second);
+  if (!outcome.switches)
+    return outcome.exit;
   if (!hand_over(transfer, first, next, next_place.folder))
     return Exit::failed;
-  return carry_out(next, Begin::transfer, next_place, now(), {}, std::nullopt, switches).exit;
+  return carry_out(next, Begin::transfer, next_place, now(), {}, std::nullopt).exit;
 }
 
 }  // namespace
@@ -340,9 +335,8 @@ Outcome run_observed(const case_file::Case& description, const RunOptions& optio
   Simulation simulation(description);
   try
   {
-    bool switches = false;
     return carry_out(simulation, options.restart ? Begin::checkpoint : Begin::rest, place, start, observer,
-                     std::nullopt, switches);
+                     std::nullopt);
   }
   catch (const std::exception& error)
   {

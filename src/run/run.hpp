@@ -28,6 +28,7 @@ struct Outcome
 {
   Exit exit = Exit::done;
   std::string failure;     ///< why it failed
+  bool switches = false;   ///< another layout takes over
   std::int64_t steps = 0;  ///< done in this run
   double time = 0.0;       ///< at its end [s]
   double wall = 0.0;       ///< time it took [s]
