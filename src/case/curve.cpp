@@ -27,14 +27,6 @@ std::vector<geometry::Point> points(const Value& value, Reading& reading)
   return result;
 }
 
-std::vector<double> numbers(const Value& value, Reading& reading)
-{
-  std::vector<double> result;
-  for (const Value& entry : list(value))
-    result.push_back(number(entry, reading.constants));
-  return result;
-}
-
 geometry::Speed speed(const Value& value)
 {
   static constexpr std::array<std::string_view, 2> words = {"constant", "own"};
@@ -127,7 +119,7 @@ const Keys<geometry::Through>& through_keys()
        [](const Value& v, Reading& r, geometry::Through& t) { t.points = points(v, r); }},
       {{"parameters", "list of numbers", "from the chords", "-",
         "of these points, ascending between 0 at the start and 1 at the end"},
-       [](const Value& v, Reading& r, geometry::Through& t) { t.parameters = numbers(v, r); }},
+       [](const Value& v, Reading& r, geometry::Through& t) { t.parameters = numbers(v, r.constants); }},
       {{"speed", "\"constant\" or \"own\"", "constant", "", speed_meaning},
        [](const Value& v, Reading&, geometry::Through& t) { t.speed = speed(v); }}};
   return keys;
@@ -154,7 +146,7 @@ const Keys<geometry::Spline>& bspline_keys()
        [](const Value& v, Reading& r, geometry::Spline& s) { s.curve.points = points(v, r); }},
       {{"knots", "list of numbers", "equal spans", "-",
         "not decreasing, the first and the last as often as degree + 1"},
-       [](const Value& v, Reading& r, geometry::Spline& s) { s.curve.knots = numbers(v, r); }},
+       [](const Value& v, Reading& r, geometry::Spline& s) { s.curve.knots = numbers(v, r.constants); }},
       {{"part", "true", "", "", "only the part between the ends, which lie on the curve"},
        [](const Value& v, Reading&, geometry::Spline& s)
        {
@@ -179,7 +171,8 @@ const Keys<geometry::Spline>& nurbs_keys()
     Keys<geometry::Spline> all = bspline_keys();
     all.insert(all.begin() + 2,
                {{"weights", "list of numbers", "required", "-", "one > 0 for each control point"},
-                [](const Value& v, Reading& r, geometry::Spline& s) { s.curve.weights = numbers(v, r); }});
+                [](const Value& v, Reading& r, geometry::Spline& s)
+                { s.curve.weights = numbers(v, r.constants); }});
     return all;
   }();
   return keys;

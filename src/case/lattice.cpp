@@ -24,14 +24,6 @@ struct Draft
   std::vector<block::GradeTowards> grade_towards;
 };
 
-std::vector<double> numbers(const Value& value, const Constants& constants)
-{
-  std::vector<double> result;
-  for (const Value& entry : list(value))
-    result.push_back(number(entry, constants));
-  return result;
-}
-
 std::vector<int> counts(const Value& value, const Constants& constants)
 {
   std::vector<int> result;

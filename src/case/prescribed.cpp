@@ -35,12 +35,7 @@ const Keys<Prescribed>& prescribed_keys()
       {{"step", "number", fmt::format("{}", defaults.step), "degrees", "between two positions"},
        [](const Value& v, Reading& r, Prescribed& p) { p.step = number(v, r.constants, positive); }},
       {{"show", "list of numbers", "[30, 60, 90, 120]", "degrees", "angles in tables and pictures"},
-       [](const Value& v, Reading& r, Prescribed& p)
-       {
-         p.show.clear();
-         for (const Value& entry : list(v))
-           p.show.push_back(number(entry, r.constants, not_negative));
-       }},
+       [](const Value& v, Reading& r, Prescribed& p) { p.show = numbers(v, r.constants, not_negative); }},
       {{"amplitude", "number", fmt::format("{}", defaults.amplitude), "degrees", "of the cycles"},
        [](const Value& v, Reading& r, Prescribed& p) { p.amplitude = number(v, r.constants, positive); }},
       {{"cycles", "whole number", fmt::format("{}", defaults.cycles), "", "of rotation to and fro"},

@@ -51,6 +51,14 @@ double number(const Value& value, const Constants& constants, const Range& range
   return result;
 }
 
+std::vector<double> numbers(const Value& value, const Constants& constants, const Range& range)
+{
+  std::vector<double> result;
+  for (const Value& entry : list(value))
+    result.push_back(number(entry, constants, range));
+  return result;
+}
+
 int integer(const Value& value, const Constants& constants, int low, int high)
 {
   const std::string words = fmt::format("a whole number from {} to {}", low, high);

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace blockfsi::case_file
 {
@@ -47,6 +48,8 @@ std::string number_text(double number);
 
 /// A finite number.
 double number(const Value& value, const Constants& constants, const Range& range = {});
+/// A list of finite numbers.
+std::vector<double> numbers(const Value& value, const Constants& constants, const Range& range = {});
 /// A whole number from low to high.
 int integer(const Value& value, const Constants& constants, int low, int high);
 /// true; a false is refused, since leaving the key out says the same.

@@ -1,6 +1,7 @@
 #include "core/expression_lexer.hpp"
 
 #include "core/error.hpp"
+#include "core/space.hpp"
 
 #include <fmt/format.h>
 
@@ -25,11 +26,6 @@ bool is_digit(char c)
 bool is_letter(char c)
 {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-
-bool is_space(char c)
-{
-  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
 
 bool continues_letter(char c)

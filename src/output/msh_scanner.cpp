@@ -1,6 +1,7 @@
 #include "output/msh_scanner.hpp"
 
 #include "core/error.hpp"
+#include "core/space.hpp"
 
 #include <fmt/format.h>
 
@@ -16,11 +17,6 @@ namespace blockfsi::output
 
 namespace
 {
-
-bool is_space(char c)
-{
-  return c == ' ' || c == '\n' || c == '\r' || c == '\t';
-}
 
 std::string_view trim(std::string_view text)
 {

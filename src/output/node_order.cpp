@@ -60,48 +60,25 @@ constexpr std::array<Edge, 8> gmsh_pyramid{{{0, 1}, {0, 3}, {0, 4}, {1, 2}, {1, 
 constexpr std::array<Face, 5> gmsh_pyramid_faces{
     {{0, 1, 4, -1}, {3, 0, 4, -1}, {1, 2, 4, -1}, {2, 3, 4, -1}, {0, 3, 2, 1}}};
 
-Listing vtk_listing(Shape shape)
-{
-  switch (shape)
-  {
-  case Shape::segment:
-    return {segment_edges, {}};
-  case Shape::triangle:
-    return {triangle_edges, triangle_face};
-  case Shape::quadrilateral:
-    return {vtk_quadrilateral, quadrilateral_face};
-  case Shape::tetrahedron:
-    return {vtk_tetrahedron, vtk_tetrahedron_faces};
-  case Shape::hexahedron:
-    return {vtk_hexahedron, vtk_hexahedron_faces};
-  case Shape::prism:
-    return {vtk_prism, vtk_prism_faces};
-  case Shape::pyramid:
-    break;
-  }
-  throw Error("VTK has no Lagrange pyramid; write it as a collapsed hexahedron");
-}
+/// By shape. VTK has no Lagrange pyramid: it has a listing without anything.
+constexpr std::array<Listing, element::shape_count> vtk_listings{{{segment_edges, {}},
+                                                                  {triangle_edges, triangle_face},
+                                                                  {vtk_quadrilateral, quadrilateral_face},
+                                                                  {vtk_tetrahedron, vtk_tetrahedron_faces},
+                                                                  {vtk_hexahedron, vtk_hexahedron_faces},
+                                                                  {vtk_prism, vtk_prism_faces},
+                                                                  {}}};
+constexpr std::array<Listing, element::shape_count> gmsh_listings{{{segment_edges, {}},
+                                                                   {triangle_edges, triangle_face},
+                                                                   {gmsh_quadrilateral, quadrilateral_face},
+                                                                   {gmsh_tetrahedron, gmsh_tetrahedron_faces},
+                                                                   {gmsh_hexahedron, gmsh_hexahedron_faces},
+                                                                   {gmsh_prism, gmsh_prism_faces},
+                                                                   {gmsh_pyramid, gmsh_pyramid_faces}}};
 
-Listing gmsh_listing(Shape shape)
+const Listing& of(const std::array<Listing, element::shape_count>& listings, Shape shape)
 {
-  switch (shape)
-  {
-  case Shape::segment:
-    return {segment_edges, {}};
-  case Shape::triangle:
-    return {triangle_edges, triangle_face};
-  case Shape::quadrilateral:
-    return {gmsh_quadrilateral, quadrilateral_face};
-  case Shape::tetrahedron:
-    return {gmsh_tetrahedron, gmsh_tetrahedron_faces};
-  case Shape::hexahedron:
-    return {gmsh_hexahedron, gmsh_hexahedron_faces};
-  case Shape::prism:
-    return {gmsh_prism, gmsh_prism_faces};
-  case Shape::pyramid:
-    return {gmsh_pyramid, gmsh_pyramid_faces};
-  }
-  return {};
+  return listings[static_cast<std::size_t>(shape)];
 }
 
 Points corner_points(Shape shape, int n)
@@ -191,8 +168,8 @@ Points gmsh_inside(Shape shape, int n)
 Points gmsh_points(Shape shape, int n)
 {
   return list(
-      shape, n, gmsh_listing(shape), [](Shape, Shape face, int steps) { return gmsh_inside(face, steps); },
-      gmsh_inside);
+      shape, n, of(gmsh_listings, shape),
+      [](Shape, Shape face, int steps) { return gmsh_inside(face, steps); }, gmsh_inside);
 }
 
 /// The inside row by row.
@@ -227,7 +204,9 @@ Points vtk_inside_face(Shape cell, Shape face, int n)
 
 Points vtk_points(Shape shape, int n)
 {
-  return list(shape, n, vtk_listing(shape), vtk_inside_face, vtk_inside);
+  if (shape == Shape::pyramid)
+    throw Error("VTK has no Lagrange pyramid; write it as a collapsed hexahedron");
+  return list(shape, n, of(vtk_listings, shape), vtk_inside_face, vtk_inside);
 }
 
 std::vector<std::int32_t> indices(Shape shape, int n, const Points& points)

@@ -24,6 +24,17 @@ namespace
 
 constexpr std::string_view names_of_this_program = "boundary_sides";
 
+/// The array of a name among the children of an element, if there is that element and such a child.
+const XmlElement* find_array(const XmlElement* parent, std::string_view name)
+{
+  if (parent == nullptr)
+    return nullptr;
+  for (const XmlElement& element : parent->children)
+    if (element.attribute("Name") == name)
+      return &element;
+  return nullptr;
+}
+
 /// What is read of a file, with messages that name the place.
 struct Source
 {
@@ -55,23 +66,11 @@ struct Source
 
   const XmlElement& named_array(const XmlElement& parent, std::string_view name) const
   {
-    for (const XmlElement& element : parent.children)
-      if (element.attribute("Name") == name)
-        return element;
+    if (const XmlElement* found = find_array(&parent, name))
+      return *found;
     fail(parent, fmt::format("<{}> has no array '{}'", parent.name, name));
   }
 };
-
-/// The array of a name anywhere in field data, if there are any.
-const XmlElement* find_array(const XmlElement* parent, std::string_view name)
-{
-  if (parent == nullptr)
-    return nullptr;
-  for (const XmlElement& element : parent->children)
-    if (element.attribute("Name") == name)
-      return &element;
-  return nullptr;
-}
 
 void expect_size(const Source& source, const XmlElement& at, std::size_t found, std::int64_t expected)
 {

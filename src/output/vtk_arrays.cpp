@@ -1,6 +1,7 @@
 #include "output/vtk_arrays.hpp"
 
 #include "core/error.hpp"
+#include "core/space.hpp"
 
 #include <fmt/format.h>
 
@@ -121,11 +122,6 @@ To convert(From value)
       throw Error(fmt::format("its value {} is too large", value));
   }
   return static_cast<To>(value);
-}
-
-bool is_space(char c)
-{
-  return c == ' ' || c == '\n' || c == '\r' || c == '\t';
 }
 
 template <typename To>

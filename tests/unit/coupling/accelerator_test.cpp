@@ -56,6 +56,22 @@ AddedMass loaded(std::size_t size, double mu_0)
   return problem;
 }
 
+/// Evaluations over twenty steps whose load changes slowly.
+int evaluations_in_series(const Accelerator& accelerator)
+{
+  AddedMass problem(60, 10.0);
+  Acceleration acceleration({.accelerator = accelerator}, 60);
+  Vector d(60, 0.0);
+  int sum = 0;
+  for (int step = 1; step <= 20; ++step)
+  {
+    const double t = 0.05 * step;
+    problem.set_load({std::sin(3 * t), std::cos(2 * t), std::sin(t), 0.3 * std::sin(7 * t)});
+    sum += iterate(acceleration, problem, d, 1e-6);
+  }
+  return sum;
+}
+
 }  // namespace
 
 TEST_CASE("constant relaxation moves d by omega times the residual")
@@ -195,21 +211,7 @@ TEST_CASE("a second step of the same linear problem needs one correction only")
 
 TEST_CASE("reused columns save evaluations over a series of steps")
 {
-  const auto evaluations = [](int reuse)
-  {
-    AddedMass problem(60, 10.0);
-    Acceleration acceleration({.accelerator = IqnIls{.reuse = reuse}}, 60);
-    Vector d(60, 0.0);
-    int sum = 0;
-    for (int step = 1; step <= 20; ++step)
-    {
-      const double t = 0.05 * step;
-      problem.set_load({std::sin(3 * t), std::cos(2 * t), std::sin(t), 0.3 * std::sin(7 * t)});
-      sum += iterate(acceleration, problem, d, 1e-6);
-    }
-    return sum;
-  };
-  CHECK(evaluations(8) < 0.7 * evaluations(0));
+  CHECK(evaluations_in_series(IqnIls{.reuse = 8}) < 0.7 * evaluations_in_series(IqnIls{.reuse = 0}));
 }
 
 TEST_CASE("columns older than the reused steps are forgotten, empty steps do not count")
@@ -383,21 +385,7 @@ TEST_CASE("a carried Jacobian is exact for a linear problem once its columns spa
 TEST_CASE(
     "a carried Jacobian knows in a step what the steps before have learnt, without a filter between them")
 {
-  const auto evaluations = [](int reuse)
-  {
-    AddedMass problem(60, 10.0);
-    Acceleration acceleration({.accelerator = IqnImvj{.reuse = reuse}}, 60);
-    Vector d(60, 0.0);
-    int sum = 0;
-    for (int step = 1; step <= 20; ++step)
-    {
-      const double t = 0.05 * step;
-      problem.set_load({std::sin(3 * t), std::cos(2 * t), std::sin(t), 0.3 * std::sin(7 * t)});
-      sum += iterate(acceleration, problem, d, 1e-6);
-    }
-    return sum;
-  };
-  CHECK(evaluations(20) < 0.7 * evaluations(0));
+  CHECK(evaluations_in_series(IqnImvj{.reuse = 20}) < 0.7 * evaluations_in_series(IqnImvj{.reuse = 0}));
 }
 
 TEST_CASE("a restored accelerator continues bit for bit, between steps and in the middle of one")
