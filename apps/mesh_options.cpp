@@ -1,6 +1,5 @@
 #include "mesh_options.hpp"
 
-#include "case/case.hpp"
 #include "element/nodes.hpp"
 
 #include <CLI/CLI.hpp>
@@ -43,7 +42,7 @@ command::Exit make_case_mesh(const CaseArguments& of, const MeshArguments& argum
     for (const auto& [known, target] : command::conversions())
       if (name == known)
         options.steps.push_back(target);
-  return command::make_mesh(case_file::read(of.path, of.overrides), options);
+  return command::make_mesh(of.path, of.overrides, options);
 }
 
 }  // namespace blockfsi

@@ -3,6 +3,7 @@
 #include "block/cell_sizes.hpp"
 #include "block/connect.hpp"
 #include "block/place.hpp"
+#include "command/parts.hpp"
 #include "command/picture.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/validity.hpp"
@@ -11,7 +12,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
 namespace blockfsi::command
 {
@@ -158,8 +158,11 @@ void write(const std::filesystem::path& path, const Made& made, const std::vecto
 
 }  // namespace
 
-Exit make_mesh(const case_file::Case& description, const MeshOptions& options)
+Exit make_mesh(const std::filesystem::path& path, const std::vector<std::string>& overrides,
+               const MeshOptions& options)
 {
+  Parts parts;
+  const case_file::Case description = case_file::read(path, overrides);
   if (!options.output.empty())
     output::check_mesh_path(options.output);
   if (!options.picture.empty())
@@ -168,23 +171,35 @@ Exit make_mesh(const case_file::Case& description, const MeshOptions& options)
   block::Layout layout = description.layout;
   const int order = options.order > 0 ? options.order : layout.order;
   layout.order = order_before(layout, options.steps, order);
+  parts.end("read, check");
 
-  const auto start = std::chrono::steady_clock::now();
   const block::Skeleton skeleton = block::make_skeleton(layout);
+  parts.end("edges, faces");
   if (!options.picture.empty())
+  {
     draw_blocks(options.picture, layout, skeleton,
                 description.title.empty() ? description.path.filename().string() : description.title);
+    parts.end("picture");
+  }
   block::Connected connected = block::connect(layout, skeleton, "", Part{});
+  parts.end("connect");
   std::vector<double> x = block::initial_nodes(connected, skeleton);
-  const Made made = convert({std::move(connected.mesh), std::move(x)}, options.steps, order);
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-
+  parts.end("place");
+  Made made = {std::move(connected.mesh), std::move(x)};
+  if (!options.steps.empty())
+  {
+    made = convert(std::move(made), options.steps, order);
+    parts.end("convert");
+  }
   const mesh::Mesh& mesh = made.mesh;
   const mesh::Quality quality = mesh::measure(mesh::QualityTables(mesh), mesh, made.x);
+  parts.end("quality");
   std::vector<mesh::Verdict> verdicts(mesh.cell_count());
   const mesh::Validity validity = mesh::certify(mesh::ValidityTables(mesh), mesh, made.x, verdicts);
-  fmt::print("{} blocks, {} cells of order {} ({}), {} nodes, made in {:.3f} s\n", layout.blocks.size(),
-             mesh.cell_count(), mesh.order, shape_counts(mesh), mesh.node_count(), taken.count());
+  parts.end("certify");
+
+  fmt::print("{} blocks, {} cells of order {} ({}), {} nodes\n", layout.blocks.size(), mesh.cell_count(),
+             mesh.order, shape_counts(mesh), mesh.node_count());
   fmt::print("scaled Jacobian at least {:.3f}, angles from {:.1f} to {:.1f} degrees; worst in {}\n",
              quality.scaled_jacobian, quality.smallest_angle, quality.largest_angle,
              quality.block >= 0 ? layout.blocks[quality.block].name : std::string("no block"));
@@ -194,7 +209,11 @@ Exit make_mesh(const case_file::Case& description, const MeshOptions& options)
   if (!options.picture.empty())
     fmt::print("written: {}\n", options.picture.string());
   if (!options.output.empty())
+  {
     write(options.output, made, verdicts);
+    parts.end("write");
+  }
+  fmt::print("{}", parts.table(mesh.node_count()));
   if (validity.all_valid())
     return Exit::done;
   fmt::print(stderr, "blockfsi: cell {} of {} is not proved valid\n", validity.cell,

@@ -26,11 +26,13 @@ struct MeshOptions
 /// Conversions by their names on the command line.
 const std::vector<std::pair<std::string, mesh::Target>>& conversions();
 
-/// Makes the mesh of all blocks of a case, draws the blocks, converts the mesh, writes it and prints counts,
-/// quality and certified validity. The blocks are meshed with cells of the order asked for; if cells are then
+/// Reads a case with some of its values replaced (case_file::read), makes the mesh of all its blocks, draws
+/// the blocks, converts the mesh, writes it and prints counts, quality, certified validity and the time that
+/// each part took. The blocks are meshed with cells of the order asked for; if cells are then
 /// cut so that new nodes come to lie on curved edges or sides, of twice the order (8 at most), which puts
 /// these nodes onto the geometry but for the error of that order. Exit::failed if a cell is not proved valid.
-/// Throws Error for conversions that the shapes of the blocks do not allow.
-[[nodiscard]] Exit make_mesh(const case_file::Case& description, const MeshOptions& options);
+/// Throws Error for mistakes in the case and for conversions that the shapes of the blocks do not allow.
+[[nodiscard]] Exit make_mesh(const std::filesystem::path& path, const std::vector<std::string>& overrides,
+                             const MeshOptions& options);
 
 }  // namespace blockfsi::command
