@@ -19,6 +19,13 @@ struct NodalField
   int components = 1;
 };
 
+/// Where a loop takes its integrals.
+struct Quadrature
+{
+  std::vector<double> x;       ///< points [m], shape (cell_count, points^2, 2)
+  std::vector<double> weight;  ///< of each point, det J included [m^2], shape (cell_count, points^2)
+};
+
 /// Integrates weak forms over the cells of a mesh, eight cells at a time.
 ///
 /// The physics is a function at a point (fem/point.hpp); mapping, interpolation, integration and scatter are
@@ -35,16 +42,25 @@ public:
 
   /// Adds the residual of all cells.
   ///   x [m], shape (node_count, 2);  unknown, shape (node_count, P::unknowns);
-  ///   data: fields with P::data components in all;  residual, same shape as unknown.
+  ///   data: fields with P::data components in all;  residual, same shape as unknown;
+  ///   given: the components of data that no field has, at the quadrature points, shape
+  ///   (cell_count, points^2, components).
   template <Physics P>
   void add_residual(const P& physics, std::span<const double> x, std::span<const double> unknown,
-                    std::span<const NodalField> data, std::span<double> residual);
+                    std::span<const NodalField> data, std::span<double> residual,
+                    std::span<const double> given = {});
 
   /// Writes the derivative of every cell's residual with respect to its unknowns,
   /// shape (cell_count, n, n) with n = nodes_per_cell * P::unknowns.
   template <Physics P>
   void tangent(const P& physics, std::span<const double> x, std::span<const double> unknown,
                std::span<const NodalField> data, std::span<double> matrices);
+
+  /// The points at which integrals are taken, and their weights.
+  Quadrature quadrature(std::span<const double> x);
+  /// Value and derivatives in x and y of each component at each point, shape (cell_count, points^2,
+  /// components, 3).
+  std::vector<double> values_at_points(std::span<const double> x, NodalField field);
 
 private:
   template <class P>
@@ -65,7 +81,7 @@ private:
   void gather(std::size_t batch, NodalField field, Lanes* out) const;
   template <class P>
   void evaluate(std::size_t batch, std::span<const double> x, std::span<const double> unknown,
-                std::span<const NodalField> data);
+                std::span<const NodalField> data, std::span<const double> given = {});
   void tabulate(bool second_derivatives);
   template <class P>
   void contract(int trial);

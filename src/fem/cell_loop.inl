@@ -34,7 +34,7 @@ constexpr int second_input(int unknown, int k)
 /// Fills values_: for each point the values, gradients, second derivatives of the unknowns, then the data.
 template <class P>
 void CellLoop::evaluate(std::size_t batch, std::span<const double> x, std::span<const double> unknown,
-                        std::span<const NodalField> data)
+                        std::span<const NodalField> data, std::span<const double> given)
 {
   constexpr int inputs = detail::input_count<P>;
   constexpr int width = inputs + P::data;
@@ -84,6 +84,12 @@ void CellLoop::evaluate(std::size_t batch, std::span<const double> x, std::span<
         values_[static_cast<std::size_t>(q) * width + entry] = reference[0][q];
     }
   }
+  const std::size_t rest = given.empty() ? 0 : width - entry;
+  for (int lane = 0; lane < lane_count && rest > 0; ++lane)
+    for (int q = 0; q < m; ++q)
+      for (std::size_t c = 0; c < rest; ++c)
+        values_[static_cast<std::size_t>(q) * width + entry + c][lane] =
+            given[(cell(batch, lane) * m + q) * rest + c];
 }
 
 namespace detail
@@ -121,7 +127,8 @@ PointInput<S, P::unknowns, P::curved, P::data> point_input(const Lanes* values,
 
 template <Physics P>
 void CellLoop::add_residual(const P& physics, std::span<const double> x, std::span<const double> unknown,
-                            std::span<const NodalField> data, std::span<double> residual)
+                            std::span<const NodalField> data, std::span<double> residual,
+                            std::span<const double> given)
 {
   constexpr int width = detail::input_count<P> + P::data;
   constexpr int max_points = max_line * max_line;
@@ -131,7 +138,7 @@ void CellLoop::add_residual(const P& physics, std::span<const double> x, std::sp
   residual_.resize(n);
   for (std::size_t batch = 0; batch < batch_count(); ++batch)
   {
-    evaluate<P>(batch, x, unknown, data);
+    evaluate<P>(batch, x, unknown, data, given);
     for (int q = 0; q < m; ++q)
     {
       const CellGeometry::Point& point = geometry_.points[q];

@@ -16,12 +16,8 @@ namespace
 constexpr double outside = 1e-9;
 /// Points this far inside of a cell are in no other one.
 constexpr double well_inside = 1e-6;
-
-struct Box
-{
-  std::array<double, 2> low = {INFINITY, INFINITY};
-  std::array<double, 2> high = {-INFINITY, -INFINITY};
-};
+/// How far outside of the unit cell its functions may go on, and what a box must hold beyond its nodes.
+constexpr double beside = 0.1;
 
 Box box_of(const mesh::Mesh& mesh, std::span<const double> x, std::size_t cell)
 {
@@ -35,7 +31,7 @@ Box box_of(const mesh::Mesh& mesh, std::span<const double> x, std::size_t cell)
   // The edges of a curved cell may bulge out of the box of its nodes.
   for (int c = 0; c < 2; ++c)
   {
-    const double margin = 0.1 * std::max(box.high[0] - box.low[0], box.high[1] - box.low[1]);
+    const double margin = beside * std::max(box.high[0] - box.low[0], box.high[1] - box.low[1]);
     box.low[c] -= margin;
     box.high[c] += margin;
   }
@@ -87,7 +83,11 @@ std::optional<Located> invert(const mesh::Mesh& mesh, std::span<const double> x,
     if (std::abs(change[0]) < least[0] && std::abs(change[1]) < least[1])
     {
       const auto inside = [&](int c) { return xi[c] > margin - least[c] && xi[c] < 1.0 - margin + least[c]; };
-      return inside(0) && inside(1) ? std::optional(located) : std::nullopt;
+      if (!inside(0) || !inside(1))
+        return std::nullopt;
+      for (int c = 0; c < 2; ++c)
+        located.outside = std::max({located.outside, -xi[c], xi[c] - 1.0});
+      return located;
     }
     for (int c = 0; c < 2; ++c)
       xi[c] = std::clamp(xi[c] - change[c], -0.5, 1.5);
@@ -120,6 +120,96 @@ std::optional<Located> locate(const mesh::Mesh& mesh, std::span<const double> x,
     if (std::optional<Located> found = attempt(cell, -outside))
       return found;
   return std::nullopt;
+}
+
+Finder::Finder(const mesh::Mesh& mesh, std::span<const double> x)
+    : mesh_(&mesh), x_(x.begin(), x.end()), nodes_(element::lobatto(mesh.order))
+{
+  for (std::size_t cell = 0; cell < mesh.cell_count(); ++cell)
+  {
+    const Box& box = boxes_.emplace_back(box_of(mesh, x, cell));
+    for (int c = 0; c < 2; ++c)
+    {
+      whole_.low[c] = std::min(whole_.low[c], box.low[c]);
+      whole_.high[c] = std::max(whole_.high[c], box.high[c]);
+    }
+  }
+  // About four bins for each cell, as square as may be.
+  const double width = whole_.high[0] - whole_.low[0];
+  const double height = whole_.high[1] - whole_.low[1];
+  const double side = std::sqrt(width * height / (4.0 * static_cast<double>(boxes_.size())));
+  bins_ = {static_cast<std::size_t>(width / side) + 1, static_cast<std::size_t>(height / side) + 1};
+  cells_.resize(bins_[0] * bins_[1]);
+  for (std::size_t cell = 0; cell < boxes_.size(); ++cell)
+  {
+    const std::size_t first = bin(boxes_[cell].low);
+    const std::size_t last = bin(boxes_[cell].high);
+    for (std::size_t j = first / bins_[0]; j <= last / bins_[0]; ++j)
+      for (std::size_t i = first % bins_[0]; i <= last % bins_[0]; ++i)
+        cells_[i + j * bins_[0]].push_back(cell);
+  }
+}
+
+Located Finder::find(const std::array<double, 2>& point)
+{
+  std::optional<Located> found;
+  if (holds(boxes_[last_], point))
+    found = invert(*mesh_, x_, last_, point, nodes_, well_inside);
+  if (!found)
+    found = among_near(point);
+  if (!found)
+    return nearest_node(point);
+  last_ = found->cell;
+  return *std::move(found);
+}
+
+std::size_t Finder::bin(const std::array<double, 2>& point) const
+{
+  std::array<std::size_t, 2> at{};
+  for (int c = 0; c < 2; ++c)
+  {
+    const double share = (point[c] - whole_.low[c]) / (whole_.high[c] - whole_.low[c]);
+    const double last = static_cast<double>(bins_[c] - 1);
+    at[c] = static_cast<std::size_t>(std::clamp(share * static_cast<double>(bins_[c]), 0.0, last));
+  }
+  return at[0] + at[1] * bins_[0];
+}
+
+/// In the cell of least number that holds the point, else in that which it is least outside of.
+std::optional<Located> Finder::among_near(const std::array<double, 2>& point) const
+{
+  std::optional<Located> best;
+  for (const std::size_t cell : cells_[bin(point)])
+  {
+    if (!holds(boxes_[cell], point))
+      continue;
+    std::optional<Located> found = invert(*mesh_, x_, cell, point, nodes_, -beside);
+    if (found && found->outside < outside)
+      return found;
+    if (found && (!best || found->outside < best->outside))
+      best = std::move(found);
+  }
+  return best;
+}
+
+Located Finder::nearest_node(const std::array<double, 2>& point) const
+{
+  Located best;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t cell = 0; cell < mesh_->cell_count(); ++cell)
+  {
+    const auto nodes = mesh_->cell(cell);
+    for (std::size_t a = 0; a < nodes.size(); ++a)
+    {
+      const double distance = std::hypot(x_[2 * nodes[a]] - point[0], x_[2 * nodes[a] + 1] - point[1]);
+      if (distance >= least)
+        continue;
+      least = distance;
+      best = {cell, std::vector<double>(nodes.size(), 0.0), std::numeric_limits<double>::infinity()};
+      best.shape[a] = 1.0;
+    }
+  }
+  return best;
 }
 
 }  // namespace blockfsi::run

@@ -3,12 +3,12 @@
 #include "linalg/communicator.hpp"
 #include "output/table.hpp"
 #include "run/failure.hpp"
+#include "run/handover.hpp"
 #include "run/interrupt.hpp"
 #include "run/progress.hpp"
 #include "run/refused.hpp"
 #include "run/results.hpp"
 #include "run/simulation.hpp"
-#include "run/transfer.hpp"
 
 #include <fmt/format.h>
 
@@ -259,27 +259,35 @@ void require_solvable(const case_file::Case& description)
 }
 
 /// Carries the state to the second layout and writes what that cost; false if its mesh is not valid.
-bool hand_over(const Transfer& transfer, const Simulation& first, Simulation& next,
+bool hand_over(const Handover& handover, const Simulation& first, Simulation& next,
                const std::filesystem::path& folder)
 {
   const double before = first.fluid()->quality().scaled_jacobian;
-  const TransferReport report = transfer.carry(first, next);
-  if (!report.valid)
+  const HandoverReport report = handover.carry(first, next);
+  if (!report.failure.empty())
   {
-    fmt::print(stderr,
-               "blockfsi: the mesh of '{}' is not valid at t = {:g} s either; the last good state is in the "
-               "results of the first layout\n",
-               next.description().path.string(), first.time());
+    fmt::print(
+        stderr,
+        "blockfsi: '{}' cannot take over at t = {:g} s: {}; the last good state is in the results of the "
+        "first layout\n",
+        next.description().path.string(), first.time(), report.failure);
     return false;
   }
   say("{} takes over at t = {:g} s: least scaled Jacobian {:.3g} -> {:.3g}, transfer error of the velocity "
       "{:.2g}, of the pressure {:.2g}\n",
       next.description().path.string(), first.time(), before, report.quality.scaled_jacobian,
       report.velocity_error, report.pressure_error);
-  output::Table table(folder / "transfer.csv", {"step", "time", "scaled_jacobian_before", "scaled_jacobian",
-                                                "velocity_error", "pressure_error"});
+  const FlowIntegrals& old = report.before;
+  const FlowIntegrals& now = report.after;
+  output::Table table(folder / "transfer.csv",
+                      {"step", "time", "scaled_jacobian_before", "scaled_jacobian", "velocity_error",
+                       "pressure_error", "area_before", "area", "momentum_x_before", "momentum_x",
+                       "momentum_y_before", "momentum_y", "outflow_before", "outflow", "divergence_before",
+                       "divergence"});
   table.append(first.step(), std::array{first.time(), before, report.quality.scaled_jacobian,
-                                        report.velocity_error, report.pressure_error});
+                                        report.velocity_error, report.pressure_error, old.area, now.area,
+                                        old.momentum[0], now.momentum[0], old.momentum[1], now.momentum[1],
+                                        old.outflow, now.outflow, old.divergence, now.divergence});
   return true;
 }
 
@@ -306,13 +314,13 @@ Exit run_both(const case_file::Case& description, const RunOptions& options)
   }
   Simulation first(description);
   Simulation next(other);
-  const Transfer transfer(first, next);
+  const Handover handover(first, next);
   output::remove_all(next_place.checkpoints);
   const Begin begin = options.restart ? Begin::checkpoint : Begin::rest;
   const Outcome outcome = carry_out(first, begin, place, now(), {}, second);
   if (!outcome.switches)
     return outcome.exit;
-  if (!hand_over(transfer, first, next, next_place.folder))
+  if (!hand_over(handover, first, next, next_place.folder))
     return Exit::failed;
   return carry_out(next, Begin::transfer, next_place, now(), {}, std::nullopt).exit;
 }

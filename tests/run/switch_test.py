@@ -51,20 +51,42 @@ class Switch(RunTest):
             self.assertAlmostEqual(a, b, delta=1e-3 * max(map(abs, whole)))
 
     def test_finer_blocks_take_over_and_a_restart_continues_them_bit_for_bit(self):
-        switch = '[switch]\nto = "second.toml"\nat = 0.08\n'
-        self.write(text_of(DIVIDE, end=0.16, more=switch), text_of(FINER, end=0.16))
+        switch = '[switch]\nto = "second.toml"\nat = 0.4\n'
+        self.write(text_of(DIVIDE, end=0.48, more=switch), text_of(FINER, end=0.48))
         self.run_first()
         transfer = read_table(self.folder / "out/second/transfer.csv")
         self.assertGreater(transfer["velocity_error"][0], 1e-12)
         self.assertLess(transfer["velocity_error"][0], 1e-2)
-        (self.folder / "second.toml").write_text(text_of(FINER, end=0.12))
+        (self.folder / "second.toml").write_text(text_of(FINER, end=0.44))
         self.run_first(out="cut")
-        self.assertEqual(checkpoints(self.folder / "cut/second")[-1].name, "step-000006")
-        (self.folder / "second.toml").write_text(text_of(FINER, end=0.16))
+        self.assertEqual(checkpoints(self.folder / "cut/second")[-1].name, "step-000022")
+        (self.folder / "second.toml").write_text(text_of(FINER, end=0.48))
         self.run_first("--restart", out="cut")
         for name in ("probes.csv", "forces.csv", "quality.csv"):
             self.assertEqual((self.folder / "cut/second" / name).read_text(),
                              (self.folder / "out/second" / name).read_text())
+
+    def test_the_forces_go_on_behind_a_switch_although_no_euler_steps_damp_what_is_wrong(self):
+        """Values taken over at the nodes make the lift ring with 1.3 of its size here, as they have a divergence."""
+        def cells(x, y, **more):
+            divide = {"divide.x = [4, 3, 9, 14]": f"divide.x = {x}", "divide.y = [4, 4, 1, 4, 4]": f"divide.y = {y}"}
+            return {"step = 0.02": "step = 0.01\nstart_up = 0", "order = 2": "order = 3", **divide, **more}
+
+        switch = '[switch]\nto = "second.toml"\nat = 0.1\n'
+        start = {"start_up = 0": "start_up = 2"}
+        self.write(text_of(cells([4, 3, 4, 6], [3, 3, 1, 3, 3]), start, end=0.2, more=switch),
+                   text_of(cells([5, 4, 4, 5], [3, 4, 1, 4, 3]), end=0.2))
+        self.run_first()
+        before, after = (read_table(self.folder / "out" / name / "forces.csv")["total_y"] for name in ("", "second"))
+        lift, first = before + after, len(before)
+        ringing = max(abs(lift[i + 1] - 2 * lift[i] + lift[i - 1]) for i in range(first, len(lift) - 1))
+        self.assertLess(ringing, 0.3 * max(map(abs, lift)))
+        transfer = {name: values[0] for name, values in read_table(self.folder / "out/second/transfer.csv").items()}
+        self.assertAlmostEqual(transfer["area"] / transfer["area_before"], 1.0, places=12)
+        self.assertAlmostEqual(transfer["momentum_x"] / transfer["momentum_x_before"], 1.0, delta=1e-3)
+        through = transfer["momentum_x"] / 1.18 / 0.195  # channel length, density: flow through a section
+        self.assertLess(abs(transfer["outflow"]), 1e-5 * through)
+        self.assertLess(abs(transfer["outflow_before"]), 1e-5 * through)
 
     def test_a_second_layout_goes_on_where_the_mesh_of_the_first_ends(self):
         switch = '[motion]\nregenerate = { corners = "fixed" }\n'

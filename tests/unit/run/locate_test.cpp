@@ -168,3 +168,40 @@ TEST_CASE("a polynomial of the cell's order is evaluated exactly")
     CHECK(run::locate(sample.mesh, sample.x, point)->value(sample.mesh, field, 3, 1) ==
           doctest::Approx(cubic(point)).epsilon(1e-13));
 }
+
+TEST_CASE("a finder gives what a search of all cells gives")
+{
+  const SampleMesh sample = structured(4, 6, 5, waves, true);
+  run::Finder finder(sample.mesh, sample.x);
+  for (double a = 0.0; a <= 1.0; a += 0.03125)
+    for (double b = 0.0; b <= 1.0; b += 0.03125)
+    {
+      const run::Located found = finder.find(waves(a, b));
+      CHECK(same(found, run::locate(sample.mesh, sample.x, waves(a, b))));
+      CHECK(found.outside < 1e-9);
+    }
+}
+
+TEST_CASE("a polynomial goes on beside the mesh, and far away the nearest node answers")
+{
+  const SampleMesh sample = structured(
+      3, 4, 4,
+      [](double a, double b) {
+        return Point{2.0 * a, b};
+      },
+      true);
+  run::Finder finder(sample.mesh, sample.x);
+  const auto cubic = [](const Point& p) { return 1.0 + p[0] * p[0] * p[1] - 2.0 * p[1] * p[1] * p[1]; };
+  std::vector<double> field;
+  for (std::size_t node = 0; node < sample.mesh.node_count(); ++node)
+    field.push_back(cubic({sample.x[2 * node], sample.x[2 * node + 1]}));
+  // A cell is 0.5 x 0.25.
+  for (const Point point : {Point{-0.04, 0.3}, Point{2.04, 1.02}, Point{1.2, -0.02}})
+  {
+    const run::Located found = finder.find(point);
+    CHECK(found.outside == doctest::Approx(0.08));
+    CHECK(found.value(sample.mesh, field, 1, 0) == doctest::Approx(cubic(point)).epsilon(1e-12));
+  }
+  CHECK(finder.find({-0.2, 0.25}).value(sample.mesh, field, 1, 0) == doctest::Approx(cubic({0.0, 0.25})));
+  CHECK(finder.find({9.0, 8.0}).value(sample.mesh, field, 1, 0) == doctest::Approx(cubic({2.0, 1.0})));
+}
