@@ -1,6 +1,7 @@
 #include "case/sections.hpp"
 
 #include "block/names.hpp"
+#include "case/corner_point.hpp"
 #include "case/edge.hpp"
 #include "case/face.hpp"
 #include "case/level_set.hpp"

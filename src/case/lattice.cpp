@@ -1,6 +1,7 @@
 #include "case/sections.hpp"
 
 #include "block/lattice.hpp"
+#include "case/corner_point.hpp"
 #include "case/edge.hpp"
 #include "case/level_set.hpp"
 

@@ -19,10 +19,6 @@ geometry::LevelSet level_set(const Value& value, Reading& reading);
 /// One level set or a list of two.
 std::vector<geometry::LevelSet> one_or_two_level_sets(const Value& value, Reading& reading);
 
-/// A corner of blocks: [x, y], or a table { near, on, direction } for the point on one level set or two.
-geometry::Point corner_point(const Value& value, Reading& reading);
-std::vector<Section> point_sections();
-
 /// Reads the level sets of [geometry]. `value` must live as long as the reading.
 void read_geometry(const Value& value, Reading& reading);
 std::vector<Section> geometry_sections();
