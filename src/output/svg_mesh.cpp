@@ -29,6 +29,8 @@ constexpr double page_width = 900.0;
 constexpr double gap = 12.0;
 constexpr double panel_title = 22.0;
 constexpr double title_height = 34.0;
+constexpr double ring_radius = 14.0;
+
 /// Control points of an edge of a cell in the units of the panel.
 std::vector<Point> edge_points(const MeshLayer& layer, const Frame& frame, const EdgeCurve& curve,
                                std::size_t cell, std::span<const std::int32_t> lattice)
@@ -67,6 +69,26 @@ void trace_outline(Pen& pen, const MeshLayer& layer, const Frame& frame, const E
       break;
     }
   pen.close();
+}
+
+/// Rings about faulty cells, which may be too thin to be seen.
+std::string draw_rings(const MeshLayer& layer, const Frame& frame)
+{
+  std::string out;
+  for (const std::int32_t cell : layer.highlight)
+  {
+    const std::span<const std::int32_t> nodes = layer.mesh->cell(cell);
+    double x = 0.0, y = 0.0;
+    for (const std::int32_t node : nodes)
+    {
+      x += layer.x[2 * node] / static_cast<double>(nodes.size());
+      y += layer.x[2 * node + 1] / static_cast<double>(nodes.size());
+    }
+    const Point centre = frame(x, y);
+    out += fmt::format("<circle class=\"ring\" cx=\"{:.0f}\" cy=\"{:.0f}\" r=\"{:.0f}\"/>\n", centre[0],
+                       centre[1], svg::units * ring_radius);
+  }
+  return out;
 }
 
 std::string draw_layer(const MeshLayer& layer, const Frame& frame)
@@ -117,7 +139,8 @@ std::string draw_layer(const MeshLayer& layer, const Frame& frame)
     }
   if (!outline.text.empty())
     out += "<path class=\"edge\" d=\"" + outline.text + "\"/>\n";
-  return out + "<path class=\"" + (layer.is_filled ? "body" : "mesh") + "\" d=\"" + pen.text + "\"/>\n";
+  return out + "<path class=\"" + (layer.is_filled ? "body" : "mesh") + "\" d=\"" + pen.text + "\"/>\n" +
+         draw_rings(layer, frame);
 }
 
 }  // namespace

@@ -160,6 +160,7 @@ TEST_CASE("what lies outside of the window is left out, faulty cells are marked"
   const std::string text = output::draw(panels, {{0.3, 0.3}, {0.45, 0.45}}, 1, "part");
   CHECK(count(text, "M") < 17);
   CHECK(count(text, "class=\"bad\"") == 1);
+  CHECK(count(text, "class=\"ring\"") == 1);
 }
 
 TEST_CASE("an edge of order 3 is drawn exactly")
