@@ -6,6 +6,7 @@
 #include "block/face_shape.hpp"
 #include "block/message.hpp"
 #include "block/numbering.hpp"
+#include "block/overlaps.hpp"
 #include "block/reference.hpp"
 #include "block/strips.hpp"
 #include "block/topology.hpp"
@@ -144,6 +145,7 @@ Skeleton make_skeleton(const Layout& given)
   // equal distances serve to find the boundaries.
   const std::vector<std::vector<double>> equal = equal_cells(topology);
   place_all(layout, topology, equal, skeleton);
+  check_overlaps(layout, skeleton);
   assign_boundaries(layout, skeleton);
   for (std::size_t e = 0; e < topology.edges.size(); ++e)
     topology.edges[e].boundary = skeleton.edges[e].boundary;
