@@ -1,8 +1,9 @@
+#include "block/topology.hpp"
 #include "layouts.hpp"
-
 #include "mesh/validity.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 using namespace blockfsi;
 using namespace blockfsi::block;
@@ -73,4 +74,79 @@ TEST_CASE("edges that cross are named with the place, also far from where their 
         "1); move their points or change their curves");
   layout.edges[0].curve = formula("t", "4 * 0.99 * t * (1 - t)");
   CHECK_NOTHROW(make_skeleton(layout));
+}
+
+TEST_CASE("curves that cross by little, and far from where they are cut, are found")
+{
+  // Side 0 bulges into side 2 (y = 1) by so much, about t = 0.5 or elsewhere.
+  for (const double depth : {1e-2, 1e-4, 1e-6, 1e-7})
+    for (const std::string bump : {"4 * t * (1 - t)", "6.75 * t^2 * (1 - t)", "6.75 * t * (1 - t)^2"})
+    {
+      CAPTURE(depth);
+      CAPTURE(bump);
+      Layout layout = unit_square(2, 2);
+      add_edge(layout, 0, 1).curve = formula("t", fmt::format("({:.17g})", 1.0 + depth) + " * " + bump);
+      CHECK(message_of([&] { make_topology(layout); }).find("cross at (") != std::string::npos);
+      layout.edges[0].curve = formula("t", fmt::format("({:.17g})", 1.0 - depth) + " * " + bump);
+      CHECK_NOTHROW(make_topology(layout));
+      // The other side bulges, too: the gap or the overlap is the same.
+      add_edge(layout, 3, 2).curve = formula("t", "1 + 0.3 * t * (1 - t)");
+      layout.edges[0].curve =
+          formula("t", fmt::format("({:.17g})", 1.0 + depth) + " * " + bump + " + 0.3 * t * (1 - t)");
+      CHECK(message_of([&] { make_topology(layout); }).find("cross at (") != std::string::npos);
+      layout.edges[0].curve =
+          formula("t", fmt::format("({:.17g})", 1.0 - depth) + " * " + bump + " + 0.3 * t * (1 - t)");
+      CHECK_NOTHROW(make_topology(layout));
+    }
+}
+
+TEST_CASE("curves that wind into each other are named where they cross first")
+{
+  Layout layout = unit_square(2, 2);
+  add_edge(layout, 0, 1).curve = formula("t", "0.55 * sin(7 * pi * t)^2");
+  add_edge(layout, 3, 2).curve = formula("t", "1 - 0.5 * sin(7 * pi * t)^2");
+  const std::string told = message_of([&] { make_topology(layout); });
+  CHECK(told.find("cross at (0.0") != std::string::npos);
+  layout.edges[0].curve = formula("t", "0.4999999 * sin(7 * pi * t)^2");
+  CHECK_NOTHROW(make_topology(layout));
+}
+
+TEST_CASE("curves that touch, or share a point and a tangent there, do not cross")
+{
+  Layout touching = unit_square(2, 2);
+  add_edge(touching, 0, 1).curve = formula("t", "4 * t * (1 - t)");
+  CHECK_NOTHROW(make_topology(touching));
+
+  // Two blocks on either side of a cusp between sides that leave (0, 0) along the x axis.
+  for (const double curvature : {1.0, 0.1, 1e-3})
+  {
+    Layout layout;
+    layout.order = 2;
+    layout.default_divisions = 2;
+    layout.points = {{"cusp", {0, 0, 0}, {}},
+                     {"up", {1, curvature, 0}, {}},
+                     {"above", {0, 2, 0}, {}},
+                     {"down", {1, -curvature, 0}, {}},
+                     {"below", {0, -2, 0}, {}}};
+    for (const auto& corners : {std::vector<int>{0, 1, 2}, std::vector<int>{0, 4, 3}})
+      layout.blocks.push_back({"block", "fluid", corners, {}, element::Shape::triangle});
+    add_edge(layout, 0, 1).curve = formula("t", fmt::format("({:.17g})", curvature) + " * t^2");
+    add_edge(layout, 0, 3).curve = formula("t", fmt::format("({:.17g})", -curvature) + " * t^2");
+    CAPTURE(curvature);
+    CHECK(message_of([&] { make_topology(layout); }) == "");
+  }
+}
+
+TEST_CASE("a point on a curve that does not end there is named")
+{
+  Layout layout = ring(1.0, 2.0, 2, 2);
+  // A block beyond the ring with a corner on its outer circle.
+  const int first = static_cast<int>(layout.points.size());
+  const double angle = 0.7;
+  for (const auto& [x, y] : {std::pair{2.0 * std::cos(angle), 2.0 * std::sin(angle)}, {5.0, 3.0}, {4.0, 6.0}})
+    layout.points.push_back({"p" + std::to_string(layout.points.size()), {x, y, 0.0}, {}});
+  layout.blocks.push_back({"fin", "fluid", {first, first + 1, first + 2}, {}, element::Shape::triangle});
+  CHECK(message_of([&] { make_topology(layout); }).find("lies on the edge from 'outer") != std::string::npos);
+  layout.points[first].x[0] += 1e-6;
+  CHECK_NOTHROW(make_topology(layout));
 }
