@@ -7,6 +7,7 @@
 #include "linalg/session.hpp"
 #include "run/compare.hpp"
 #include "run/failure.hpp"
+#include "run/layouts.hpp"
 #include "run/reference.hpp"
 #include "run/run.hpp"
 #include "run/verify.hpp"
@@ -91,8 +92,9 @@ Exit verify(const Arguments& arguments)
   }
   if (blockfsi::linalg::part().rank != 0)
     return Exit::done;
-  const auto comparisons =
-      blockfsi::run::compare(reference, blockfsi::run::result_folder(description, options), arguments.level);
+  const auto folders =
+      blockfsi::run::reached_folders(description, blockfsi::run::result_folder(description, options));
+  const auto comparisons = blockfsi::run::compare(reference, folders, arguments.level);
   fmt::print("{}", blockfsi::run::report(comparisons));
   return blockfsi::run::all_ok(comparisons) ? Exit::done : Exit::missed;
 }

@@ -41,8 +41,8 @@ struct Prescribed
   int cycles = 3;
 };
 
-/// Another layout of blocks that takes over when the first one is at its end.
-struct Second
+/// Another layout of blocks that takes over when the one before is at its end.
+struct Switch
 {
   std::filesystem::path path;  ///< of its case file
   double below = 0.0;        ///< least scaled Jacobian of a step's mesh at which it takes over at the latest
@@ -61,7 +61,7 @@ struct Case
   /// Other ways for `blockfsi compare`, by name.
   std::vector<std::pair<std::string, Motion>> variants;
   std::optional<Prescribed> prescribed;
-  std::optional<Second> second;
+  std::vector<Switch> switches;  ///< each takes over from the one before
   std::optional<fluid::Parameters> fluid;
   std::optional<solid::Parameters> solid;
   fem::TimeParameters time;

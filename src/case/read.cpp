@@ -117,7 +117,7 @@ constexpr auto parts = std::to_array<Part>(
      {"prescribed", prescribed_sections,
       [](const Value& v, Draft& d) { read_prescribed(v, d.reading, d.result.prescribed.emplace()); }},
      {"switch", switch_sections,
-      [](const Value& v, Draft& d) { read_switch(v, d.reading, d.result.path, d.result.second.emplace()); }},
+      [](const Value& v, Draft& d) { read_switches(v, d.reading, d.result.path, d.result.switches); }},
      {"output", output_sections,
       [](const Value& v, Draft& d) { read_output(v, d.reading, d.result.output); }},
      {"petsc", petsc_sections,

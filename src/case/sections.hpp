@@ -42,7 +42,9 @@ void read_compare(const Value& value, Reading& reading, const block::Layout& pie
                   const block::Layout& merged, std::vector<std::pair<std::string, Motion>>& variants);
 std::vector<Section> compare_sections();
 
-void read_switch(const Value& value, Reading& reading, const std::filesystem::path& file, Second& second);
+/// One table or a list of them.
+void read_switches(const Value& value, Reading& reading, const std::filesystem::path& file,
+                   std::vector<Switch>& switches);
 std::vector<Section> switch_sections();
 
 void read_prescribed(const Value& value, Reading& reading, Prescribed& prescribed);

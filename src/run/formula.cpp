@@ -42,6 +42,21 @@ std::string no_column(const Tables& tables, std::string_view name)
                      tables.names.size() == 1 ? "has" : "have", name);
 }
 
+/// Appends the rows of a table, in the columns that both have.
+void append(output::TableData& table, const output::TableData& more)
+{
+  output::TableData both;
+  for (const std::string& name : table.columns)
+    if (std::find(more.columns.begin(), more.columns.end(), name) != more.columns.end())
+    {
+      both.columns.push_back(name);
+      std::vector<double>& values = both.values.emplace_back(table.column(name));
+      const std::vector<double>& rest = more.column(name);
+      values.insert(values.end(), rest.begin(), rest.end());
+    }
+  table = std::move(both);
+}
+
 /// Extrema and means of a signal with a gap would hide it.
 Series checked(Series series, std::string_view formula)
 {
@@ -75,15 +90,20 @@ std::vector<Found> collect(const Tables& tables, const std::vector<std::string>&
 
 }  // namespace
 
-Tables read_tables(const std::filesystem::path& folder)
+Tables read_tables(std::span<const std::filesystem::path> folders)
 {
   Tables result;
   for (const char* name : {"probes.csv", "forces.csv", "quality.csv"})
-    if (std::filesystem::exists(folder / name))
-    {
-      result.names.emplace_back(name);
-      result.tables.push_back(output::read_table(folder / name));
-    }
+  {
+    if (folders.empty() ||
+        !std::all_of(folders.begin(), folders.end(),
+                     [name](const auto& folder) { return std::filesystem::exists(folder / name); }))
+      continue;
+    result.names.emplace_back(name);
+    output::TableData& table = result.tables.emplace_back(output::read_table(folders.front() / name));
+    for (const std::filesystem::path& folder : folders.subspan(1))
+      append(table, output::read_table(folder / name));
+  }
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include "output/table.hpp"
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,9 +19,10 @@ struct Tables
   std::vector<output::TableData> tables;
 };
 
-/// Reads probes.csv, forces.csv and quality.csv of a folder; those that do not exist are left out. Throws
-/// Error if one is damaged.
-Tables read_tables(const std::filesystem::path& folder);
+/// Reads probes.csv, forces.csv and quality.csv of a run, whose later steps may lie in further folders, one
+/// behind the other. Tables and columns that one of the folders lacks are left out. Throws Error if a table
+/// is damaged.
+Tables read_tables(std::span<const std::filesystem::path> folders);
 
 /// Names of columns that a formula uses, each once, in its order. Throws Error if the text holds what no
 /// formula contains.

@@ -193,9 +193,8 @@ FlowIntegrals integrate(const FluidSide& fluid, double density)
 
 }  // namespace
 
-Handover::Handover(const Simulation& from, const Simulation& to)
+Handover::Handover(const Simulation& from, const Simulation& to, const Location& where)
 {
-  const Location& where = from.description().second->where;
   for (const Simulation* simulation : {&from, &to})
     if (!simulation->fluid() || !simulation->solid())
       throw Error(where, "[switch] to: both cases need a fluid and a solid");

@@ -39,9 +39,9 @@ struct HandoverReport
 class Handover
 {
 public:
-  /// Finds out which nodes are the same; `to` has not moved yet. Throws Error, naming a node, if the bodies
-  /// are not, or if a part is missing. All processes must call it together.
-  Handover(const Simulation& from, const Simulation& to);
+  /// Finds out which nodes are the same; `to` has not moved yet. Throws Error, at the place given, if
+  /// the bodies are not, or if a part is missing. All processes must call it together.
+  Handover(const Simulation& from, const Simulation& to, const Location& where);
 
   /// Makes the state of `from` that of `to`, which goes on with the steps of a start. All processes must call
   /// it together.

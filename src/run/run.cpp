@@ -1,10 +1,11 @@
 #include "run/run.hpp"
 
 #include "linalg/communicator.hpp"
-#include "output/table.hpp"
+#include "output/checkpoint.hpp"
 #include "run/failure.hpp"
 #include "run/handover.hpp"
 #include "run/interrupt.hpp"
+#include "run/layouts.hpp"
 #include "run/progress.hpp"
 #include "run/refused.hpp"
 #include "run/results.hpp"
@@ -12,15 +13,16 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace blockfsi::run
 {
@@ -99,30 +101,34 @@ void introduce(const Simulation& simulation, const std::filesystem::path& folder
   say("results: {}\n", folder.string());
 }
 
-void conclude(const Simulation& simulation, const std::filesystem::path& folder)
-{
-  say("results are in {}\n", folder.string());
-  for (const std::string_view table : {"probes.csv", "forces.csv", "quality.csv"})
-    if (std::filesystem::exists(folder / table))
-      say("  {:<12} one row per step\n", table);
-  say("  fields.pvd   open in ParaView; colour by velocity, press play\n");
-  const std::filesystem::path& path = simulation.description().path;
-  if (simulation.finished() && std::filesystem::exists(path.parent_path() / "reference.csv"))
-    say("next: ./dev verify --finished {} --directory {}\n", path.string(), folder.string());
-}
-
 /// Where a run writes, and the number that tells it from other runs.
 struct Place
 {
   std::filesystem::path folder;
   std::filesystem::path checkpoints;
   std::uint64_t run;
+  std::filesystem::path case_path;   ///< of the whole run, whichever layout it is in
+  std::filesystem::path run_folder;  ///< the same
 };
 
-Place make_place(const std::filesystem::path& folder)
+Place make_place(const std::filesystem::path& folder, const case_file::Case& description,
+                 const std::filesystem::path& run_folder)
 {
   const auto now = linalg::from_first(std::chrono::system_clock::now().time_since_epoch().count());
-  return {folder, folder / "checkpoint", static_cast<std::uint64_t>(now)};
+  return {folder, folder / "checkpoint", static_cast<std::uint64_t>(now), description.path, run_folder};
+}
+
+void conclude(const Simulation& simulation, const Place& place)
+{
+  const std::filesystem::path& folder = place.folder;
+  say("results are in {}\n", folder.string());
+  for (const std::string_view table : {"probes.csv", "forces.csv", "quality.csv"})
+    if (std::filesystem::exists(folder / table))
+      say("  {:<12} one row per step\n", table);
+  say("  fields.pvd   open in ParaView; colour by velocity, press play\n");
+  const std::filesystem::path& path = place.case_path;
+  if (simulation.finished() && std::filesystem::exists(path.parent_path() / "reference.csv"))
+    say("next: ./dev verify --finished {} --directory {}\n", path.string(), place.run_folder.string());
 }
 
 /// What a run begins with.
@@ -133,49 +139,56 @@ enum class Begin
   transfer  ///< from another layout; it was done already
 };
 
-/// Whether another layout takes over after a step that went well.
-bool is_due(const std::optional<case_file::Second>& second, const Simulation& simulation,
-            const StepReport& report)
+/// Whether another layout, if there is one, takes over from the accepted state.
+bool is_due(const case_file::Switch* next, const Simulation& simulation)
 {
   constexpr double rounding = 1e-9;
-  return second && !simulation.finished() &&
-         (report.quality.scaled_jacobian < second->below ||
-          (second->at && simulation.time() > *second->at - rounding * simulation.description().time.step));
+  return next && !simulation.finished() &&
+         (simulation.fluid()->quality().scaled_jacobian < next->below ||
+          (next->at && simulation.time() > *next->at - rounding * simulation.description().time.step));
+}
+
+/// Tells why the last step failed, with a picture of a mesh that was refused.
+Outcome end_failed(const Simulation& simulation, const StepReport& report, const Place& place)
+{
+  std::string picture;
+  if (report.refused)
+  {
+    draw_refused(place.folder / refused_picture, simulation, *report.refused);
+    picture = fmt::format("; {} shows the blocks around the cell", (place.folder / refused_picture).string());
+  }
+  if (linalg::part().rank == 0)
+    fmt::print(stderr, "blockfsi: {}; the last good state (t = {:g} s) is in the results{}\n", report.failure,
+               simulation.time(), picture);
+  Outcome ending;
+  ending.exit = Exit::failed;
+  ending.failure = report.failure;
+  return ending;
 }
 
 /// Does one step after the other, until the end, a failure or a signal, or until another layout takes over;
-/// how they ended.
+/// how they ended. A run that continues may have been interrupted when the other layout was due.
 Outcome step_through(Simulation& simulation, Results& results, const InterruptGuard& guard,
-                     const Place& place, const Observer& observer,
-                     const std::optional<case_file::Second>& second)
+                     const Place& place, const Observer& observer, Begin begin, const case_file::Switch* next)
 {
   const int checkpoint_every = simulation.description().output.checkpoint_every;
   Progress progress(simulation);
   Outcome ending;
+  if (begin == Begin::checkpoint && is_due(next, simulation))
+  {
+    ending.switches = true;
+    return ending;
+  }
   while (!simulation.finished())
   {
     const StepReport report = simulation.advance();
     if (!report.ok)
     {
       progress.end();
-      if (second && report.refused)
-      {
-        say("{}; another layout takes over\n", report.failure);
-        ending.switches = true;
-        return ending;
-      }
-      std::string picture;
-      if (report.refused)
-      {
-        draw_refused(place.folder / refused_picture, simulation, *report.refused);
-        picture =
-            fmt::format("; {} shows the blocks around the cell", (place.folder / refused_picture).string());
-      }
-      if (linalg::part().rank == 0)
-        fmt::print(stderr, "blockfsi: {}; the last good state (t = {:g} s) is in the results{}\n",
-                   report.failure, simulation.time(), picture);
-      ending.exit = Exit::failed;
-      ending.failure = report.failure;
+      if (!next || !report.refused)
+        return end_failed(simulation, report, place);
+      say("{}; another layout takes over\n", report.failure);
+      ending.switches = true;
       return ending;
     }
     {
@@ -199,7 +212,7 @@ Outcome step_through(Simulation& simulation, Results& results, const InterruptGu
       ending.exit = Exit::interrupted;
       return ending;
     }
-    if (is_due(second, simulation, report))
+    if (is_due(next, simulation))
     {
       progress.end();
       ending.switches = true;
@@ -214,7 +227,7 @@ Outcome step_through(Simulation& simulation, Results& results, const InterruptGu
 
 Outcome carry_out(Simulation& simulation, Begin begin, const Place& place,
                   std::chrono::steady_clock::time_point start, const Observer& observer,
-                  const std::optional<case_file::Second>& second)
+                  const case_file::Switch* next)
 {
   const case_file::Case& description = simulation.description();
   const InterruptGuard guard;
@@ -229,7 +242,7 @@ Outcome carry_out(Simulation& simulation, Begin begin, const Place& place,
     results.add_fields();
 
   const std::int64_t first_step = simulation.step();
-  Outcome outcome = step_through(simulation, results, guard, place, observer, second);
+  Outcome outcome = step_through(simulation, results, guard, place, observer, begin, next);
   if (outcome.exit != Exit::interrupted)
   {
     const Stopwatch watch(simulation.timings(), Task::output);
@@ -238,7 +251,7 @@ Outcome carry_out(Simulation& simulation, Begin begin, const Place& place,
   write_checkpoint(simulation, place.checkpoints, place.run);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   say("{}", timing_summary(simulation.timings(), wall.count(), simulation.step() - first_step));
-  conclude(simulation, place.folder);
+  conclude(simulation, place);
   outcome.steps = simulation.step() - first_step;
   outcome.time = simulation.time();
   outcome.wall = wall.count();
@@ -258,71 +271,101 @@ void require_solvable(const case_file::Case& description)
         "compare --prescribed` moves it");
 }
 
-/// Carries the state to the second layout and writes what that cost; false if its mesh is not valid.
-bool hand_over(const Handover& handover, const Simulation& first, Simulation& next,
+/// Carries the state to the next layout and writes what that cost; false if it cannot go on.
+bool hand_over(const Handover& handover, const Simulation& from, Simulation& next,
                const std::filesystem::path& folder)
 {
-  const double before = first.fluid()->quality().scaled_jacobian;
-  const HandoverReport report = handover.carry(first, next);
+  const HandoverReport report = handover.carry(from, next);
   if (!report.failure.empty())
   {
-    fmt::print(
-        stderr,
-        "blockfsi: '{}' cannot take over at t = {:g} s: {}; the last good state is in the results of the "
-        "first layout\n",
-        next.description().path.string(), first.time(), report.failure);
+    if (linalg::part().rank == 0)
+      fmt::print(
+          stderr,
+          "blockfsi: '{}' cannot take over at t = {:g} s: {}; the last good state is in the results of "
+          "the layout before\n",
+          next.description().path.string(), from.time(), report.failure);
     return false;
   }
   say("{} takes over at t = {:g} s: least scaled Jacobian {:.3g} -> {:.3g}, transfer error of the velocity "
       "{:.2g}, of the pressure {:.2g}\n",
-      next.description().path.string(), first.time(), before, report.quality.scaled_jacobian,
-      report.velocity_error, report.pressure_error);
-  const FlowIntegrals& old = report.before;
-  const FlowIntegrals& now = report.after;
-  output::Table table(folder / "transfer.csv",
-                      {"step", "time", "scaled_jacobian_before", "scaled_jacobian", "velocity_error",
-                       "pressure_error", "area_before", "area", "momentum_x_before", "momentum_x",
-                       "momentum_y_before", "momentum_y", "outflow_before", "outflow", "divergence_before",
-                       "divergence"});
-  table.append(first.step(), std::array{first.time(), before, report.quality.scaled_jacobian,
-                                        report.velocity_error, report.pressure_error, old.area, now.area,
-                                        old.momentum[0], now.momentum[0], old.momentum[1], now.momentum[1],
-                                        old.outflow, now.outflow, old.divergence, now.divergence});
+      next.description().path.string(), from.time(), from.fluid()->quality().scaled_jacobian,
+      report.quality.scaled_jacobian, report.velocity_error, report.pressure_error);
+  if (linalg::part().rank == 0)
+    write_transfer(folder, from, report);
   return true;
 }
 
-/// Runs a case and, when that is due, its second layout, whose results lie in a folder of its name.
-Exit run_both(const case_file::Case& description, const RunOptions& options)
+/// The cases of all layouts, the given one first.
+std::vector<case_file::Case> read_layouts(const case_file::Case& description)
 {
-  const case_file::Second& second = *description.second;
-  const case_file::Case other = case_file::read(second.path);
-  require_solvable(description);
-  require_solvable(other);
-  if (linalg::part().size > 1)
-    throw Error(second.where, "[switch] works with one process; leave out mpirun");
-  if (other.second)
-    throw Error(second.where,
-                "[switch] to: the second case has a section [switch], too; one switch is possible");
-  const std::filesystem::path folder = result_folder(description, options);
-  const Place place = make_place(folder);
-  const Place next_place = make_place(folder / second.path.stem());
-  const auto now = [] { return std::chrono::steady_clock::now(); };
-  if (options.restart && output::latest_complete(next_place.checkpoints, 1))
+  std::vector<case_file::Case> result = {description};
+  for (const case_file::Switch& next : description.switches)
   {
-    Simulation next(other);
-    return carry_out(next, Begin::checkpoint, next_place, now(), {}, std::nullopt).exit;
+    if (!result.emplace_back(case_file::read(next.path)).switches.empty())
+      throw Error(next.where,
+                  fmt::format("[switch] to: '{}' has a section [switch], too; name all layouts here, "
+                              "in a [[switch]] for each",
+                              next.path.string()));
   }
-  Simulation first(description);
-  Simulation next(other);
-  const Handover handover(first, next);
-  output::remove_all(next_place.checkpoints);
-  const Begin begin = options.restart ? Begin::checkpoint : Begin::rest;
-  const Outcome outcome = carry_out(first, begin, place, now(), {}, second);
-  if (!outcome.switches)
-    return outcome.exit;
-  if (!hand_over(handover, first, next, next_place.folder))
-    return Exit::failed;
-  return carry_out(next, Begin::transfer, next_place, now(), {}, std::nullopt).exit;
+  for (const case_file::Case& layout : result)
+    require_solvable(layout);
+  return result;
+}
+
+/// The last layout that has a checkpoint, or the first. One that was written by another number of processes
+/// counts, too: the restart tells.
+std::size_t last_begun(const std::vector<Place>& places)
+{
+  std::int64_t last = 0;
+  if (linalg::part().rank == 0)
+    for (std::size_t i = 1; i < places.size(); ++i)
+      try
+      {
+        if (output::latest_complete(places[i].checkpoints, linalg::part().size))
+          last = static_cast<std::int64_t>(i);
+      }
+      catch (const Error&)
+      {
+        last = static_cast<std::int64_t>(i);
+      }
+  return static_cast<std::size_t>(linalg::from_first(last));
+}
+
+/// Runs a case whose blocks change. All layouts are made before the first step, which finds what does not
+/// fit.
+Exit run_layouts(const case_file::Case& description, const RunOptions& options)
+{
+  const std::vector<case_file::Case> cases = read_layouts(description);
+  const std::vector<case_file::Switch>& switches = description.switches;
+  const std::filesystem::path run_folder = result_folder(description, options);
+  std::vector<Place> places;
+  for (const std::filesystem::path& folder : layout_folders(description, run_folder))
+    places.push_back(make_place(folder, description, run_folder));
+
+  std::size_t at = options.restart ? last_begun(places) : 0;
+  std::vector<std::unique_ptr<Simulation>> layouts(cases.size());
+  std::vector<std::optional<Handover>> handovers(cases.size());
+  for (std::size_t i = at; i < cases.size(); ++i)
+  {
+    layouts[i] = std::make_unique<Simulation>(cases[i]);
+    if (i > at)
+      handovers[i].emplace(*layouts[i - 1], *layouts[i], switches[i - 1].where);
+    if (i > at && linalg::part().rank == 0)
+      forget(places[i].folder);
+  }
+  Begin begin = options.restart ? Begin::checkpoint : Begin::rest;
+  for (;; ++at)
+  {
+    const case_file::Switch* next = at < switches.size() ? &switches[at] : nullptr;
+    const Outcome outcome =
+        carry_out(*layouts[at], begin, places[at], std::chrono::steady_clock::now(), {}, next);
+    if (!outcome.switches)
+      return outcome.exit;
+    if (!hand_over(*handovers[at + 1], *layouts[at], *layouts[at + 1], places[at + 1].folder))
+      return Exit::failed;
+    layouts[at].reset();
+    begin = Begin::transfer;
+  }
 }
 
 }  // namespace
@@ -338,13 +381,14 @@ std::filesystem::path result_folder(const case_file::Case& description, const Ru
 Outcome run_observed(const case_file::Case& description, const RunOptions& options, const Observer& observer)
 {
   require_solvable(description);
-  const Place place = make_place(result_folder(description, options));
+  const std::filesystem::path folder = result_folder(description, options);
+  const Place place = make_place(folder, description, folder);
   const auto start = std::chrono::steady_clock::now();
   Simulation simulation(description);
   try
   {
     return carry_out(simulation, options.restart ? Begin::checkpoint : Begin::rest, place, start, observer,
-                     std::nullopt);
+                     nullptr);
   }
   catch (const std::exception& error)
   {
@@ -355,7 +399,8 @@ Outcome run_observed(const case_file::Case& description, const RunOptions& optio
 
 Exit run(const case_file::Case& description, const RunOptions& options)
 {
-  return description.second ? run_both(description, options) : run_observed(description, options, {}).exit;
+  return description.switches.empty() ? run_observed(description, options, {}).exit
+                                      : run_layouts(description, options);
 }
 
 }  // namespace blockfsi::run

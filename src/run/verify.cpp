@@ -164,8 +164,8 @@ Row row(const Comparison& comparison)
 
 }  // namespace
 
-std::vector<Comparison> compare(const std::filesystem::path& reference, const std::filesystem::path& results,
-                                std::string_view level)
+std::vector<Comparison> compare(const std::filesystem::path& reference,
+                                std::span<const std::filesystem::path> results, std::string_view level)
 {
   if (level != "short" && level != "full")
     throw Error(fmt::format("unknown level '{}'; allowed are short, full", level));

@@ -21,12 +21,13 @@ struct Comparison
   std::string reason;  ///< why there is no computed value
 };
 
-/// Compares the tables in the folder `results` with the references of a level, "short" or "full". Signals are
-/// read as output/signal.hpp says. What a run does not give, or not yet (no such column, too few periods), is
-/// a missed comparison with its reason. Throws Error if the references or a table are malformed, if the level
-/// is unknown, or if it has no references.
-std::vector<Comparison> compare(const std::filesystem::path& reference, const std::filesystem::path& results,
-                                std::string_view level);
+/// Compares the tables of a run, in one folder or in several of which each goes on where the one before ends,
+/// with the references of a level, "short" or "full". Signals are read as output/signal.hpp says. What a run
+/// does not give, or not yet (no such column, too few periods), is a missed comparison with its reason.
+/// Throws Error if the references or a table are malformed, if the level is unknown, or if it has no
+/// references.
+std::vector<Comparison> compare(const std::filesystem::path& reference,
+                                std::span<const std::filesystem::path> results, std::string_view level);
 
 /// Whether all comparisons are within their tolerance.
 bool all_ok(std::span<const Comparison> comparisons);

@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -47,10 +48,17 @@ public:
     }
   }
 
+  const std::filesystem::path& path() const { return folder_.path(); }
+
   std::vector<run::Comparison> compare(std::string_view rows, std::string_view level = "full") const
   {
+    return compare(rows, level, std::array{folder_.path()});
+  }
+  std::vector<run::Comparison> compare(std::string_view rows, std::string_view level,
+                                       std::span<const std::filesystem::path> results) const
+  {
     output::replace_file(folder_.path() / "reference.csv", std::string(header) + std::string(rows));
-    return run::compare(folder_.path() / "reference.csv", folder_.path(), level);
+    return run::compare(folder_.path() / "reference.csv", results, level);
   }
 
   run::Comparison single(std::string_view row) const { return compare(row).front(); }
@@ -62,7 +70,7 @@ public:
     output::replace_file(path, content);
     try
     {
-      run::compare(path, folder_.path(), "full");
+      run::compare(path, std::array{folder_.path()}, "full");
     }
     catch (const Error& error)
     {
@@ -264,6 +272,40 @@ TEST_CASE("a value that is not finite anywhere in the run is missed")
   CHECK_FALSE(bench.single("a_p / b_p,last,,,1,1,absolute,full,\n").ok);
 }
 
+TEST_CASE("a run that goes on in another folder is read as one")
+{
+  Bench bench;
+  const auto sine = [](double t) { return 3.0 * std::sin(2.5 * turn * t); };
+  const auto table =
+      [&bench, sine](const std::string& file, int first, int last, std::vector<std::string> names)
+  {
+    names.insert(names.begin(), {"step", "time"});
+    output::Table result(bench.path() / file, names);
+    for (int step = first; step <= last; ++step)
+    {
+      std::vector<double> row(names.size() - 1, sine(0.01 * step));
+      row.front() = 0.01 * step;
+      result.append(step, row);
+    }
+  };
+  table("probes.csv", 1, 80, {"a", "b"});
+  table("second/probes.csv", 81, 240, {"b", "c"});
+  table("forces.csv", 1, 80, {"f"});
+  const std::array folders = {bench.path(), bench.path() / "second"};
+  // Neither of the folders has periods enough.
+  const std::string rows = "b,frequency4,,,2.5,1e-3,relative,full,\n"
+                           "b,last,,,0,1e-9,absolute,full,\n"
+                           "b,amplitude4,,,3,1e-2,relative,full,\n";
+  for (const run::Comparison& comparison : bench.compare(rows, "full", folders))
+  {
+    CAPTURE(comparison.reason);
+    CHECK(comparison.ok);
+  }
+  for (const std::string missing : {"a", "c", "f"})
+    CHECK(bench.compare(missing + ",last,,,0,1,absolute,full,\n", "full", folders).front().reason ==
+          "probes.csv has no column '" + missing + "'");
+}
+
 TEST_CASE("the level chooses the references")
 {
   Bench bench;
@@ -377,6 +419,6 @@ TEST_CASE("a damaged table of the run and a missing table of references are erro
   output::replace_file(results.path() / "probes.csv", "step,time,a_p\n1,0.1,x\n");
   output::replace_file(results.path() / "reference.csv",
                        std::string(header) + "a_p,last,,,1,0.1,relative,full,\n");
-  CHECK_THROWS_AS(run::compare(results.path() / "reference.csv", results.path(), "full"), Error);
-  CHECK_THROWS_AS(run::compare(results.path() / "absent.csv", results.path(), "full"), Error);
+  CHECK_THROWS_AS(run::compare(results.path() / "reference.csv", std::array{results.path()}, "full"), Error);
+  CHECK_THROWS_AS(run::compare(results.path() / "absent.csv", std::array{results.path()}, "full"), Error);
 }
