@@ -84,6 +84,25 @@ void place_rows(const BlockPlan& plan, std::span<const BlockPlan::Row> rows, con
     place_quadrilateral(plan, rows, at, x);
 }
 
+/// Hands each row that a kernel has written on to be resampled.
+struct Listener
+{
+  const double* x;
+  ResampledRows* rows;
+
+  static void take(void* self, const BlockPlan::Row& row)
+  {
+    const auto* listener = static_cast<const Listener*>(self);
+    listener->rows->add(row, listener->x);
+  }
+};
+
+/// Numbers of the longest row.
+std::size_t row_size(const BlockPlan& plan, int dim)
+{
+  return static_cast<std::size_t>(dim) * (static_cast<std::size_t>(plan.grid.steps[0]) + 1);
+}
+
 template <int dim>
 void blend(const BlockPlan& plan, const double* skeleton_x, double* work, double* x)
 {
@@ -92,9 +111,6 @@ void blend(const BlockPlan& plan, const double* skeleton_x, double* work, double
     for (int c = 0; c < dim; ++c)
       boundary.corner[k][c] = skeleton_x[static_cast<std::ptrdiff_t>(dim) * plan.corners[k] + c];
   const Resampling* resampling = plan.resampling.get();
-  double* lattice = work;
-  if (resampling != nullptr)
-    work += dim * static_cast<std::size_t>(size(plan.grid));
   const auto sides = element::sides(plan.grid.shape);
   double* spare = work + dim * boundary_size(plan);
   for (std::size_t side = 0; side < plan.sides.size(); ++side)
@@ -106,8 +122,7 @@ void blend(const BlockPlan& plan, const double* skeleton_x, double* work, double
         *to++ = skeleton_x[static_cast<std::ptrdiff_t>(dim) * node + c];
     if (resampling != nullptr)
     {
-      resampling->side_to_equal_steps(static_cast<int>(side), dim, spare, work);
-      resampling->scatter_side(static_cast<int>(side), dim, work, lattice);
+      resampling->side_to_equal_steps(static_cast<int>(side), dim, spare, to, work);
     }
     if (!is_product(plan.grid.shape))
       subtract_straight<dim>(sides[side], plan.side_reference[side], boundary.corner, work);
@@ -116,8 +131,12 @@ void blend(const BlockPlan& plan, const double* skeleton_x, double* work, double
   boundary.work = work;
   if (resampling == nullptr)
     return place_rows<dim>(plan, plan.rows, boundary, x);
-  place_rows<dim>(plan, resampling->lattice_rows(), boundary, lattice);
-  resampling->to_warped(plan.rows, dim, lattice, x);
+  double* row = work + kernel_work(plan, dim);
+  ResampledRows rows(resampling->inside(), plan.rows, dim, row + row_size(plan, dim), x);
+  Listener listener{row, &rows};
+  boundary.written = &Listener::take;
+  boundary.listener = &listener;
+  place_rows<dim>(plan, resampling->lattice_rows(), boundary, row);
 }
 
 }  // namespace
@@ -127,10 +146,12 @@ std::size_t work_size(const BlockPlan& plan, int dim)
   std::size_t largest_side = 0;
   for (const auto& side : plan.sides)
     largest_side = std::max(largest_side, side.size());
-  std::size_t numbers = static_cast<std::size_t>(dim) * boundary_size(plan);
+  std::size_t after_sides = kernel_work(plan, dim);
+  // Before the kernel runs, its memory serves to resample the sides.
   if (plan.resampling)
-    numbers += static_cast<std::size_t>(dim) * (static_cast<std::size_t>(size(plan.grid)) + largest_side);
-  return numbers + kernel_work(plan, dim);
+    after_sides = plan.resampling->work_size(dim) +
+                  std::max(after_sides + row_size(plan, dim), static_cast<std::size_t>(dim) * largest_side);
+  return static_cast<std::size_t>(dim) * boundary_size(plan) + after_sides;
 }
 
 void blend(const BlockPlan& plan, int dim, const double* skeleton_x, double* work, double* x)

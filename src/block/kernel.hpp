@@ -18,13 +18,16 @@ struct BoundaryData
   std::array<const double*, 6> side{};
   std::array<std::array<double, dim>, 8> corner{};  ///< coordinates [m]
   double* work = nullptr;                           ///< memory for `kernel_work` numbers
+  /// Where given, called after each row is written, with `listener`.
+  void (*written)(void* listener, const BlockPlan::Row& row) = nullptr;
+  void* listener = nullptr;
 };
 
 /// Numbers that the kernels need as working memory besides the boundary.
 std::size_t kernel_work(const BlockPlan& plan, int dim);
 
 /// The transfinite maps of formulation.md 1: coordinates of the nodes in `rows`, in whose order
-/// plan.reference is, written to x at Row::node.
+/// plan.reference is, written to x at Row::node. Rows may lie on the boundary.
 template <int dim>
 void place_quadrilateral(const BlockPlan& plan, std::span<const BlockPlan::Row> rows,
                          const BoundaryData<dim>& at, double* x);

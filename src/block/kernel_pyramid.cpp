@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 
 namespace blockfsi::block
 {
@@ -12,6 +13,8 @@ namespace
 {
 
 constexpr int dim = 3;
+/// Makes 0 of 0 / h at the apex, and changes no other h.
+constexpr double at_apex = std::numeric_limits<double>::min();
 
 /// Sides of a pyramid.
 enum PyramidSide
@@ -86,7 +89,7 @@ void place_pyramid(const BlockPlan& plan, std::span<const BlockPlan::Row> rows, 
         const auto r1 = r.template get<1>(load, t);
         const auto z = r.template get<2>(load, t);
         const auto h = 1.0 - z;
-        const auto inverse = 1.0 / h;
+        const auto inverse = 1.0 / (h + at_apex);
         const Lanes xi = r0 * inverse;
         const auto eta = r1 * inverse;
         const auto rest = h - r1;
@@ -102,7 +105,7 @@ void place_pyramid(const BlockPlan& plan, std::span<const BlockPlan::Row> rows, 
                r1 * (r0 * (near(2) + C) + (h - r0) * (near(3) + C)) +
                (1.0 - h * h) * ((1.0 - eta) * A + eta * C + (1.0 - xi) * low + xi * high);
       };
-      write_row<dim>(row.end - row.begin, x + static_cast<std::ptrdiff_t>(dim) * row.node, value);
+      write_row<dim>(at, row, x, value);
     }
   };
   with_coordinates<dim>(plan, at.work, place);

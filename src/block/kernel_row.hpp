@@ -1,6 +1,6 @@
 #pragma once
 
-#include "block/plan.hpp"
+#include "block/kernel.hpp"
 #include "core/lanes.hpp"
 
 #include <algorithm>
@@ -56,10 +56,10 @@ struct LoadPart
   }
 };
 
-/// Writes a row of nodes: value(load, t, m) gives the components t to t + 8 of the row (dim for each node) by
-/// reading with `load`; m is their place in Repeated.
+/// Writes numbers one after the other: value(load, t, m) gives the components t to t + 8 of a row (dim for
+/// each node) by reading with `load`; m is their place in Repeated.
 template <int dim, typename Value>
-[[gnu::always_inline]] inline void write_row(std::ptrdiff_t node_count, double* out, const Value& value)
+[[gnu::always_inline]] inline void write_nodes(std::ptrdiff_t node_count, double* out, const Value& value)
 {
   constexpr std::ptrdiff_t tile = static_cast<std::ptrdiff_t>(dim) * lane_count;
   const std::ptrdiff_t size = dim * node_count;
@@ -85,6 +85,16 @@ template <int dim, typename Value>
     if (at == size - tile)
       return;
   }
+}
+
+/// Writes a row of nodes by `write_nodes`.
+template <int dim, typename Value>
+[[gnu::always_inline]] inline void write_row(const BoundaryData<dim>& at, const BlockPlan::Row& row,
+                                             double* x, const Value& value)
+{
+  write_nodes<dim>(row.end - row.begin, x + static_cast<std::ptrdiff_t>(dim) * row.node, value);
+  if (at.written != nullptr)
+    at.written(at.listener, row);
 }
 
 /// Graded coordinates of the nodes of one row: the first one, and the others where they differ along the row,

@@ -65,7 +65,7 @@ void place_quadrilateral(const BlockPlan& plan, std::span<const BlockPlan::Row> 
           return between + (1.0 - u) * (left[m] - (1.0 - v) * corner[0][m] - v * corner[3][m]) +
                  u * (right[m] - (1.0 - v) * corner[1][m] - v * corner[2][m]);
       };
-      write_row<dim>(row.end - row.begin, x + static_cast<std::ptrdiff_t>(dim) * row.node, value);
+      write_row<dim>(at, row, x, value);
     }
   };
   with_coordinates<dim>(plan, at.work, place);
@@ -212,7 +212,7 @@ void place_levels(const BlockPlan& plan, std::span<const BlockPlan::Row> rows, c
       return (1.0 - v) * load(front_row + t) + v * load(back_row + t) + (1.0 - w) * load(bottom_row + t) +
              w * load(top_row + t) + low[m] + u * rise[m];
     };
-    write_row<dim>(row.end - row.begin, x + static_cast<std::ptrdiff_t>(dim) * row.node, value);
+    write_row<dim>(at, row, x, value);
   }
 }
 
@@ -237,7 +237,7 @@ void place_nodes(const BlockPlan& plan, std::span<const BlockPlan::Row> rows, co
              v * faces.back_face.value(load, row.k, begin + t, w) + (1.0 - w) * load(bottom_row + t) +
              w * load(top_row + t) + (1.0 - u) * low.at(m, v, w) + u * high.at(m, v, w);
     };
-    write_row<dim>(row.end - row.begin, x + static_cast<std::ptrdiff_t>(dim) * row.node, value);
+    write_row<dim>(at, row, x, value);
   }
 }
 

@@ -116,7 +116,7 @@ void place_tetrahedron(const BlockPlan& plan, std::span<const BlockPlan::Row> ro
                w2 * (a(6) + a(7) + a(8) - a(9) - a(10) + f.fixed[2][m]) +
                w3 * (a(11) + a(12) + a(13) - a(14) - a(15) + f.fixed[3][m]);
       };
-      write_row<dim>(row.end - row.begin, x + static_cast<std::ptrdiff_t>(dim) * row.node, value);
+      write_row<dim>(at, row, x, value);
     }
   };
   with_coordinates<dim>(plan, at.work, place);

@@ -60,7 +60,7 @@ void place_triangle(const BlockPlan& plan, std::span<const BlockPlan::Row> rows,
         return (1.0 - v - u) * (load(first01 + t) + along0[m]) + u * (load(sum01 + t) + along1[m]) +
                v * (load(sum02 + t) + load(rest21 + t) + corner[2][m]);
       };
-      write_row<dim>(row.end - row.begin, x + static_cast<std::ptrdiff_t>(dim) * row.node, value);
+      write_row<dim>(at, row, x, value);
     }
   };
   with_coordinates<dim>(plan, at.work, place);
@@ -106,10 +106,10 @@ struct Level
     reverse_points(at.side[right] + offset, n + 1, dim, e21);
   }
 
-  void subtract(const Level& other) const
+  void subtract(const Level& other, double factor = 1.0) const
   {
     for (std::ptrdiff_t t = 0; t < 3 * (last + dim); ++t)
-      e01[t] -= other.e01[t];
+      e01[t] -= factor * other.e01[t];
   }
 
   double* e01;
@@ -118,10 +118,10 @@ struct Level
   std::ptrdiff_t last;  ///< where the last point is
 };
 
-/// The parallel form along one row of a level.
+/// The parallel form along one row of a level; its corners may have something added.
 struct LevelRow
 {
-  LevelRow(const Level& level, std::ptrdiff_t i, std::ptrdiff_t j)
+  LevelRow(const Level& level, const std::array<Repeated<dim>, 3>& added, std::ptrdiff_t i, std::ptrdiff_t j)
       : first01(level.e01 + i), sum01(level.e01 + i + j), sum02(level.e02 + i + j), rest21(level.e21 + i)
   {
     const double* e12 = level.e21 + level.last - j;
@@ -133,7 +133,11 @@ struct LevelRow
       sums[2][c] = -level.e21[c];
     }
     for (std::size_t k = 0; k < 3; ++k)
+    {
       fixed[k] = repeated<dim>(sums[k].data());
+      for (int m = 0; m < dim; ++m)
+        fixed[k][m] += added[k][m];
+    }
   }
 
   template <typename Loader, typename U, typename V>
@@ -153,7 +157,8 @@ struct LevelRow
 }  // namespace
 
 /// P(w, z) + (1 - z) (F_0 - P(w, 0)) + z (F_1 - P(w, 1)) with the parallel form P over the upright sides:
-/// P(w, z) - P(w, 0) is formed first, and P(w, 1) - P(w, 0) is what z takes of it.
+/// P(w, z) - P(w, 0) is formed first, and P(w, 1) - P(w, 0) is what z takes of it. Where z is that of the
+/// level, P takes all but the two faces once for the level.
 void place_prism(const BlockPlan& plan, std::span<const BlockPlan::Row> rows, const BoundaryData<3>& at,
                  double* x)
 {
@@ -170,6 +175,7 @@ void place_prism(const BlockPlan& plan, std::span<const BlockPlan::Row> rows, co
     std::array<Repeated<dim>, 6> corner;
     for (std::size_t k = 0; k < 6; ++k)
       corner[k] = repeated<dim>(at.corner[k].data());
+    std::array<Repeated<dim>, 3> at_height{};  // upright edges of the straight prism at the level
     int of_level = -1;
     for (const BlockPlan::Row& row : rows)
     {
@@ -179,11 +185,19 @@ void place_prism(const BlockPlan& plan, std::span<const BlockPlan::Row> rows, co
         of_level = row.k;
         level.read(at, n, row.k);
         level.subtract(low);
+        if constexpr (alike)
+        {
+          const double z = r.fixed[2];
+          level.subtract(high, z);
+          for (std::size_t k = 0; k < 3; ++k)
+            for (int m = 0; m < dim; ++m)
+              at_height[k][m] = (1.0 - z) * corner[k][m] + z * corner[k + 3][m];
+        }
       }
       const std::ptrdiff_t i = static_cast<std::ptrdiff_t>(dim) * row.begin;
       const std::ptrdiff_t j = static_cast<std::ptrdiff_t>(dim) * row.j;
-      const LevelRow at_level(level, i, j);
-      const LevelRow rise(high, i, j);
+      const LevelRow at_level(level, at_height, i, j);
+      const LevelRow rise(high, at_height, i, j);
       const double* face_low = at.side[bottom] + dim * triangle_row(n, row.j) + i;
       const double* face_high = at.side[top] + dim * triangle_row(n, row.j) + i;
       const auto value = [&](auto load, std::ptrdiff_t t, int m) -> Lanes
@@ -191,12 +205,15 @@ void place_prism(const BlockPlan& plan, std::span<const BlockPlan::Row> rows, co
         const Lanes u = r.template get<0>(load, t);
         const auto v = r.template get<1>(load, t);
         const auto z = r.template get<2>(load, t);
+        const Lanes faces = (1.0 - z) * load(face_low + t) + z * load(face_high + t);
+        if constexpr (alike)
+          return at_level.blend(load, t, m, u, v) + faces;
         const Lanes w = 1.0 - v - u;
-        return at_level.blend(load, t, m, u, v) - z * rise.blend(load, t, m, u, v) +
-               (1.0 - z) * (w * corner[0][m] + u * corner[1][m] + v * corner[2][m] + load(face_low + t)) +
-               z * (w * corner[3][m] + u * corner[4][m] + v * corner[5][m] + load(face_high + t));
+        return at_level.blend(load, t, m, u, v) - z * rise.blend(load, t, m, u, v) + faces +
+               (1.0 - z) * (w * corner[0][m] + u * corner[1][m] + v * corner[2][m]) +
+               z * (w * corner[3][m] + u * corner[4][m] + v * corner[5][m]);
       };
-      write_row<dim>(row.end - row.begin, x + static_cast<std::ptrdiff_t>(dim) * row.node, value);
+      write_row<dim>(at, row, x, value);
     }
   };
   with_coordinates<dim>(plan, at.work, place);

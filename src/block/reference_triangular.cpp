@@ -391,7 +391,7 @@ void set_triangular(const Lines& given, int order, int diagonal, BlockPlan& plan
                                      : side_lines(shape, edges, side),
         side.shape, order));
   if (order > 2)
-    plan.resampling = std::make_shared<const Resampling>(plan.grid, order, diagonal);
+    plan.resampling = std::make_shared<const Resampling>(plan.grid, order, diagonal, plan.rows);
   const std::span<const BlockPlan::Row> rows =
       plan.resampling ? plan.resampling->lattice_rows() : std::span<const BlockPlan::Row>(plan.rows);
 

@@ -3,6 +3,7 @@
 #include "block/cells.hpp"
 #include "block/plan.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -12,6 +13,9 @@ namespace blockfsi::block
 
 /// Takes the nodes of the cells of a lattice from one kind to another: warped ones (element::nodes) to those
 /// at equal steps within each cell or back, by the cells' own polynomials.
+///
+/// Nodes that lie alike in their cells have the same weights. So a row is kept as `order` runs, those of the
+/// nodes first, first + order, ..., and each run is a sum of others, eight numbers at a time.
 class LatticeResampler
 {
 public:
@@ -24,11 +28,9 @@ public:
   /// the last as it is.
   LatticeResampler(const Grid& nodes, int order, int diagonal, Direction direction, bool keep_last);
 
-  /// Values at nodes (i, j, k) of rows, from those of the whole lattice.
-  ///   from, shape (size of the lattice, dim);  to: written at Row::node
-  void apply(std::span<const BlockPlan::Row> rows, int dim, const double* from, double* to) const;
-
 private:
+  friend class ResampledRows;
+
   /// Weight of a node of the same cell.
   struct Term
   {
@@ -42,43 +44,76 @@ private:
     std::size_t kind = 0;
     std::vector<Term> terms;
   };
+  /// Where a row is kept.
+  struct Kept
+  {
+    std::int32_t begin = 0;  ///< place of its first node in the memory of a layer of cells
+    std::int32_t width = 0;  ///< nodes of each run at most
+  };
 
-  template <int dim>
-  void apply_to_row(const BlockPlan::Row& row, const double* from, double* to) const;
-  template <int dim>
-  void apply_along(const Candidate& cell, const element::LatticePoint& first, int count, const double* from,
-                   double* to) const;
+  void find_candidates(const std::vector<std::vector<double>>& weights);
+  void lay_out_rows();
+  const Kept& kept(int j, int k) const { return kept_[static_cast<std::size_t>(level_begin_[k]) + j]; }
 
   Grid nodes_;
   int order_;
+  int layered_;  ///< direction in which cells lie in layers: 2 of tetrahedra and pyramids, else 1
   BlockCells cells_;
   /// In the order of BlockCells::find; shape (order, order, order) over the remainders, the first fastest.
   std::vector<std::vector<Candidate>> candidates_;
-  std::vector<std::int64_t> row_begin_;  ///< index of (0, j, k) in the lattice
+  std::vector<Kept> kept_;
   std::vector<std::int32_t> level_begin_;
+  std::size_t layer_size_ = 0;  ///< nodes of the memory of a layer
+  std::size_t row_size_ = 0;    ///< of the longest row
+};
+
+/// Resamples a lattice that comes row by row, so that one layer of cells is kept, not the lattice.
+class ResampledRows
+{
+public:
+  ///   wanted: rows that are written at Row::node of `to`, ascending;  work, shape (work_size)
+  ResampledRows(const LatticeResampler& resampler, std::span<const BlockPlan::Row> wanted, int dim,
+                double* work, double* to);
+  static std::size_t work_size(const LatticeResampler& resampler, int dim);
+
+  /// Takes a whole row, in ascending order; rows of layers without wanted rows may be left out. Writes the
+  /// wanted rows all of whose cells are complete.
+  ///   x, shape (length of the row, dim)
+  void add(const BlockPlan::Row& row, const double* x);
+
+private:
+  bool is_complete(const BlockPlan::Row& wanted, const BlockPlan::Row& last) const;
+  void write(const BlockPlan::Row& row) const;
+  void write_run(const LatticeResampler::Candidate& cell, const element::LatticePoint& first, int count,
+                 double* run) const;
+
+  const LatticeResampler& by_;
+  std::span<const BlockPlan::Row> wanted_;
+  int dim_;
+  double* layer_;
+  double* runs_;
+  double* to_;
 };
 
 /// The resampling of a block of a shape with triangles: its sides to equal steps, its inside back.
 class Resampling
 {
 public:
-  Resampling(const Grid& nodes, int order, int diagonal);
+  ///   wanted: rows of the block that are placed, ascending
+  Resampling(const Grid& nodes, int order, int diagonal, std::span<const BlockPlan::Row> wanted);
 
-  /// All inner rows, with the place in the lattice as Row::node.
+  /// The rows at equal steps that the wanted ones need, with 0 as Row::node.
   std::span<const BlockPlan::Row> lattice_rows() const { return rows_; }
-  ///   from, to, shape (size of the side, dim)
-  void side_to_equal_steps(int side, int dim, const double* from, double* to) const;
-  ///   lattice, shape (size of the lattice, dim), at equal steps; x: rows are written
-  void to_warped(std::span<const BlockPlan::Row> rows, int dim, const double* lattice, double* x) const;
-  /// Writes the nodes of a side into the lattice.
-  void scatter_side(int side, int dim, const double* from, double* lattice) const;
+  ///   from, to, shape (size of the side, dim);  work, shape (work_size)
+  void side_to_equal_steps(int side, int dim, const double* from, double* work, double* to) const;
+  const LatticeResampler& inside() const { return inside_; }
+  std::size_t work_size(int dim) const;
 
 private:
   std::vector<BlockPlan::Row> rows_;
   LatticeResampler inside_;
   std::vector<LatticeResampler> sides_;
   std::vector<std::vector<BlockPlan::Row>> side_rows_;
-  std::vector<std::vector<std::int32_t>> side_index_;  ///< place of each node of a side in the lattice
 };
 
 /// All rows of a lattice with the place in it as Row::node; `inner`: of the points on no side, counted from
