@@ -29,34 +29,54 @@ bool is_product(Shape shape)
   return shape == Shape::quadrilateral || shape == Shape::hexahedron;
 }
 
+/// Subtracts from the nodes of a side what the straight block has there, given the weights of its corners:
+/// weights(r) for the graded coordinates r, shape (corners).
+template <int dim, std::size_t corners, typename Weights>
+void subtract_corners(const element::SideShape& side, const std::vector<double>& reference, int coordinates,
+                      const std::array<std::array<double, dim>, 8>& corner, const Weights& weights, double* x)
+{
+  std::array<std::array<double, dim>, corners> at;
+  for (std::size_t k = 0; k < corners; ++k)
+    at[k] = corner[side.corners[k]];
+  for (const double* r = reference.data(); r != reference.data() + reference.size();
+       r += coordinates, x += dim)
+  {
+    const std::array<double, corners> w = weights(r);
+    for (std::size_t k = 0; k < corners; ++k)
+      for (int c = 0; c < dim; ++c)
+        x[c] -= w[k] * at[k][c];
+  }
+}
+
 /// Subtracts what the straight block has on a side, given the side's corners and the graded coordinates.
 template <int dim>
 void subtract_straight(const element::SideShape& side, const std::vector<double>& reference,
                        const std::array<std::array<double, dim>, 8>& corner, double* x)
 {
-  const auto& p = side.corners;
-  const std::size_t count = reference.size() / (side.shape == Shape::segment ? 1 : 2);
-  const double* r = reference.data();
-  for (std::size_t n = 0; n < count; ++n, x += dim)
+  switch (side.shape)
   {
-    std::array<double, 4> w{};
-    switch (side.shape)
-    {
-    case Shape::segment:
-      w = {1.0 - r[0], r[0], 0.0, 0.0};
-      r += 1;
-      break;
-    case Shape::triangle:
-      w = {1.0 - r[0] - r[1], r[0], r[1], 0.0};
-      r += 2;
-      break;
-    default:
-      w = {(1.0 - r[0]) * (1.0 - r[1]), r[0] * (1.0 - r[1]), r[0] * r[1], (1.0 - r[0]) * r[1]};
-      r += 2;
-    }
-    for (int k = 0; k < element::corner_count(side.shape); ++k)
-      for (int c = 0; c < dim; ++c)
-        x[c] -= w[k] * corner[p[k]][c];
+  case Shape::segment:
+    return subtract_corners<dim, 2>(
+        side, reference, 1, corner,
+        [](const double* r) {
+          return std::array{1.0 - r[0], r[0]};
+        },
+        x);
+  case Shape::triangle:
+    return subtract_corners<dim, 3>(
+        side, reference, 2, corner,
+        [](const double* r) {
+          return std::array{1.0 - r[0] - r[1], r[0], r[1]};
+        },
+        x);
+  default:
+    return subtract_corners<dim, 4>(
+        side, reference, 2, corner,
+        [](const double* r) {
+          return std::array{(1.0 - r[0]) * (1.0 - r[1]), r[0] * (1.0 - r[1]), r[0] * r[1],
+                            (1.0 - r[0]) * r[1]};
+        },
+        x);
   }
 }
 
@@ -85,10 +105,11 @@ void place_rows(const BlockPlan& plan, std::span<const BlockPlan::Row> rows, con
 }
 
 /// Hands each row that a kernel has written on to be resampled.
+template <int dim>
 struct Listener
 {
   const double* x;
-  ResampledRows* rows;
+  ResampledRows<dim>* rows;
 
   static void take(void* self, const BlockPlan::Row& row)
   {
@@ -122,7 +143,7 @@ void blend(const BlockPlan& plan, const double* skeleton_x, double* work, double
         *to++ = skeleton_x[static_cast<std::ptrdiff_t>(dim) * node + c];
     if (resampling != nullptr)
     {
-      resampling->side_to_equal_steps(static_cast<int>(side), dim, spare, to, work);
+      resampling->side_to_equal_steps<dim>(static_cast<int>(side), spare, to, work);
     }
     if (!is_product(plan.grid.shape))
       subtract_straight<dim>(sides[side], plan.side_reference[side], boundary.corner, work);
@@ -132,9 +153,9 @@ void blend(const BlockPlan& plan, const double* skeleton_x, double* work, double
   if (resampling == nullptr)
     return place_rows<dim>(plan, plan.rows, boundary, x);
   double* row = work + kernel_work(plan, dim);
-  ResampledRows rows(resampling->inside(), plan.rows, dim, row + row_size(plan, dim), x);
-  Listener listener{row, &rows};
-  boundary.written = &Listener::take;
+  ResampledRows<dim> rows(resampling->inside(), plan.rows, row + row_size(plan, dim), x);
+  Listener<dim> listener{row, &rows};
+  boundary.written = &Listener<dim>::take;
   boundary.listener = &listener;
   place_rows<dim>(plan, resampling->lattice_rows(), boundary, row);
 }

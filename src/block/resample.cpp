@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <type_traits>
 #include <utility>
 
 namespace blockfsi::block
@@ -95,25 +96,70 @@ std::vector<BlockPlan::Row> rows_of_layers(const Grid& nodes, int order,
   return rows;
 }
 
-/// Calls move(place in the runs, place in the row) for the nodes from `begin` to `end` of a row whose runs
-/// have room for `width` nodes each; places are those of the first component, in the row counted from
-/// `begin`.
-template <typename Move>
-void move_runs(int dim, int order, int width, int begin, int end, const Move& move)
+/// Copies a point, or what two registers hold of it and the number behind.
+template <int dim>
+void copy_point(const double* from, double* to)
 {
-  for (int remainder = 0; remainder < order; ++remainder)
+  std::array<double, dim> point;
+  std::memcpy(point.data(), from, sizeof(point));
+  std::memcpy(to, point.data(), sizeof(point));
+}
+
+/// Numbers of the widest copy that is made for a point before others follow it: one register.
+template <int dim>
+constexpr int with_next = dim == 3 ? 4 : dim;
+
+/// Copies every `step`th point to points that follow each other.
+template <int dim>
+void gather_points(const double* from, std::ptrdiff_t step, std::ptrdiff_t count, double* to)
+{
+  for (; count > 1; --count, from += dim * step, to += dim)
+    copy_point<with_next<dim>>(from, to);
+  if (count == 1)
+    copy_point<dim>(from, to);
+}
+
+/// Copies the nodes from `begin` to `end` of a row from runs that lie `width` points apart.
+template <int dim>
+void join_runs(const double* runs, std::ptrdiff_t width, int order, int begin, int end, double* to)
+{
+  const std::ptrdiff_t run_size = dim * width;
+  int run = begin % order;
+  const double* box = runs + dim * (begin / order);
+  for (int i = begin; i < end - 1; ++i, to += dim)
   {
-    const int first = std::max(0, (begin - remainder + order - 1) / order);
-    std::ptrdiff_t in_run = static_cast<std::ptrdiff_t>(dim) * (remainder * width + first);
-    const std::ptrdiff_t step = static_cast<std::ptrdiff_t>(dim) * order;
-    const std::ptrdiff_t size = static_cast<std::ptrdiff_t>(dim) * (end - begin);
-    for (std::ptrdiff_t in_row = dim * (order * first + remainder - begin); in_row < size; in_row += step)
+    copy_point<with_next<dim>>(box + run * run_size, to);
+    if (++run == order)
     {
-      move(in_run, in_row);
-      in_run += dim;
+      run = 0;
+      box += dim;
     }
   }
+  if (begin < end)
+    copy_point<dim>(box + run * run_size, to);
 }
+
+/// The boxes with the nodes from `begin` to `end` of a row, for each of its runs.
+struct Boxes
+{
+  Boxes(const BlockPlan::Row& row, int order)
+      : first_(row.begin / order), first_run_(row.begin % order), end_(row.end / order),
+        end_run_(row.end % order)
+  {
+  }
+  int first(int run) const { return first_ + (run < first_run_ ? 1 : 0); }
+  int end(int run) const { return end_ + (run < end_run_ ? 1 : 0); }
+  int count(int run) const { return end(run) - first(run); }
+
+private:
+  int first_;
+  int first_run_;
+  int end_;
+  int end_run_;
+};
+
+/// What registers may hold behind the numbers that they are used for.
+constexpr std::ptrdiff_t spare = 2 * lane_count;
 
 struct Source
 {
@@ -121,27 +167,38 @@ struct Source
   double weight;
 };
 
-/// Writes sum_q weight_q x_q, shape (size); reads up to seven numbers more of each.
-void add_up(std::span<const Source> sources, std::ptrdiff_t size, double* to)
+/// Sums of weight_q x_q for some registers.
+template <std::size_t count>
+std::array<Lanes, count> weighted_sums(std::span<const Source> sources, std::ptrdiff_t from)
 {
-  constexpr std::size_t at_once = 4;
-  constexpr std::ptrdiff_t tile = at_once * lane_count;
-  std::ptrdiff_t t = 0;
-  for (; t + tile <= size; t += tile)
+  std::array<Lanes, count> sum{};
+  for (const Source& source : sources)
+    for (std::size_t m = 0; m < count; ++m)
+      sum[m] += source.weight * Load{}(source.x + from + lane_count * m);
+  return sum;
+}
+
+/// Writes sum_q weight_q x_q, shape (size); reads up to `spare` numbers more of each, and unless told to
+/// write exactly these writes as many more.
+void add_up(std::span<const Source> sources, std::ptrdiff_t size, bool exactly, double* to)
+{
+  const auto write = [&]<std::size_t count>(std::ptrdiff_t from, std::integral_constant<std::size_t, count>)
   {
-    std::array<Lanes, at_once> sum{};
-    for (const Source& source : sources)
-      for (std::size_t m = 0; m < at_once; ++m)
-        sum[m] += source.weight * Load{}(source.x + t + lane_count * m);
-    std::memcpy(to + t, sum.data(), sizeof(sum));
-  }
-  for (; t < size; t += lane_count)
-  {
-    Lanes sum{};
-    for (const Source& source : sources)
-      sum += source.weight * Load{}(source.x + t);
-    std::memcpy(to + t, &sum, sizeof(double) * std::min<std::ptrdiff_t>(size - t, lane_count));
-  }
+    const std::array<Lanes, count> sum = weighted_sums<count>(sources, from);
+    if (exactly)
+      std::memcpy(to + from, sum.data(), std::min(sizeof(sum), sizeof(double) * (size - from)));
+    else
+      std::memcpy(to + from, sum.data(), sizeof(sum));
+  };
+  std::ptrdiff_t from = 0;
+  for (; size - from > 4 * lane_count; from += 6 * lane_count)
+    write(from, std::integral_constant<std::size_t, 6>{});
+  if (size - from > 2 * lane_count)
+    write(from, std::integral_constant<std::size_t, 4>{});
+  else if (size - from > lane_count)
+    write(from, std::integral_constant<std::size_t, 2>{});
+  else if (size > from)
+    write(from, std::integral_constant<std::size_t, 1>{});
 }
 
 }  // namespace
@@ -179,14 +236,14 @@ LatticeResampler::LatticeResampler(const Grid& nodes, int order, int diagonal, D
                                    bool keep_last)
     : nodes_(nodes), order_(order), layered_(layered(nodes.shape)),
       cells_(coarse(nodes, order), order, diagonal),
-      candidates_(static_cast<std::size_t>(order) * order * order)
+      candidates_(static_cast<std::size_t>(order) * order * order), run_size_(nodes.steps[0] / order + 1),
+      row_size_(order * run_size_), plane_size_(layered_ == 2 ? row_size_ * (nodes.steps[1] + 1) : row_size_)
 {
   std::vector<std::vector<double>> weights;
   for (const CellKind& kind : cells_.kinds())
     weights.push_back(keep_last ? product_matrix(kind.shape, order, direction)
                                 : matrix(kind.shape, order, direction));
   find_candidates(weights);
-  lay_out_rows();
 }
 
 void LatticeResampler::find_candidates(const std::vector<std::vector<double>>& weights)
@@ -214,111 +271,99 @@ void LatticeResampler::find_candidates(const std::vector<std::vector<double>>& w
             // Nodes between two layers take nothing from within either of them.
             for (std::size_t b = 0; b < all.size(); ++b)
               if (std::abs(row[b]) > rounding && !(between_layers && all[b][layered_] != local[layered_]))
-                candidate.terms.push_back({all[b], row[b]});
+                candidate.terms.push_back({all[b][layered_],
+                                           (layered_ == 2 ? all[b][1] * row_size_ : 0) +
+                                               all[b][0] % order_ * run_size_ + all[b][0] / order_,
+                                           row[b]});
             candidates_[remainders].push_back(std::move(candidate));
           }
   }
 }
 
-/// Of the levels, or rows of a level, one layer of cells has order + 1: each takes the memory of the one that
-/// lies order + 1 before it.
-void LatticeResampler::lay_out_rows()
+std::ptrdiff_t LatticeResampler::row_place(int j, int k) const
 {
-  const auto width = [&](int j, int k) { return (row_length(nodes_, j, k) + order_ - 1) / order_; };
-  std::int32_t row_size = 0;
-  std::int32_t level_size = 0;
-  for (int k = 0; k < level_count(nodes_); ++k)
-  {
-    std::int32_t sum = 0;
-    for (int j = 0; j < row_count(nodes_, k); ++j)
-    {
-      row_size = std::max(row_size, order_ * width(j, k));
-      sum += order_ * width(j, k);
-    }
-    level_size = std::max(level_size, sum);
-  }
-  for (int k = 0; k < level_count(nodes_); ++k)
-  {
-    level_begin_.push_back(static_cast<std::int32_t>(kept_.size()));
-    std::int32_t place = k % (order_ + 1) * level_size;
-    for (int j = 0; j < row_count(nodes_, k); ++j)
-    {
-      kept_.push_back({layered_ == 2 ? place : j % (order_ + 1) * row_size, width(j, k)});
-      place += order_ * width(j, k);
-    }
-  }
-  row_size_ = static_cast<std::size_t>(row_size);
-  layer_size_ = static_cast<std::size_t>(layered_ == 2 ? level_size : row_size) *
-                (static_cast<std::size_t>(order_) + 1);
+  return layered_ == 2 ? plane_place(k) + j * row_size_ : plane_place(j);
 }
 
-ResampledRows::ResampledRows(const LatticeResampler& resampler, std::span<const BlockPlan::Row> wanted,
-                             int dim, double* work, double* to)
-    : by_(resampler), wanted_(wanted), dim_(dim), layer_(work),
-      runs_(work + dim * resampler.layer_size_ + lane_count), to_(to)
+/// Lanes are read and written past the last number of a layer and of a run.
+std::size_t resampling_work(const LatticeResampler& resampler, int dim)
 {
+  const std::ptrdiff_t nodes = resampler.plane_size_ * (resampler.order_ + 1) + resampler.row_size_;
+  return static_cast<std::size_t>(dim * nodes + 2 * spare);
 }
 
-/// Lanes are read past the last number of a layer.
-std::size_t ResampledRows::work_size(const LatticeResampler& resampler, int dim)
+template <int dim>
+ResampledRows<dim>::ResampledRows(const LatticeResampler& resampler, std::span<const BlockPlan::Row> wanted,
+                                  double* work, double* to)
+    : by_(resampler), wanted_(wanted), layer_(work),
+      runs_(work + dim * resampler.plane_size_ * (resampler.order_ + 1) + spare), to_(to)
 {
-  return static_cast<std::size_t>(dim) * (resampler.layer_size_ + resampler.row_size_) + lane_count;
+  look_ahead();
 }
 
-bool ResampledRows::is_complete(const BlockPlan::Row& wanted, const BlockPlan::Row& last) const
+template <int dim>
+void ResampledRows<dim>::look_ahead()
 {
+  if (wanted_.empty())
+    return;
+  const BlockPlan::Row& row = wanted_.front();
   const auto top = [&](int i) { return (i + by_.order_ - 1) / by_.order_ * by_.order_; };
   if (by_.layered_ == 2)
-    return std::pair(top(wanted.k), row_count(by_.nodes_, top(wanted.k)) - 1) <= std::pair(last.k, last.j);
-  return std::pair(wanted.k, top(wanted.j)) <= std::pair(last.k, last.j);
+    complete_after_ = {top(row.k), row_count(by_.nodes_, top(row.k)) - 1};
+  else
+    complete_after_ = {row.k, top(row.j)};
 }
 
-void ResampledRows::add(const BlockPlan::Row& row, const double* x)
+template <int dim>
+void ResampledRows<dim>::add(const BlockPlan::Row& row, const double* x)
 {
-  const LatticeResampler::Kept& kept = by_.kept(row.j, row.k);
-  move_runs(dim_, by_.order_, kept.width, 0, row_length(by_.nodes_, row.j, row.k),
-            [&](std::ptrdiff_t in_run, std::ptrdiff_t in_row)
-            { std::copy_n(x + in_row, dim_, layer_ + dim_ * kept.begin + in_run); });
-  for (; !wanted_.empty() && is_complete(wanted_.front(), row); wanted_ = wanted_.subspan(1))
+  double* to = layer_ + dim * by_.row_place(row.j, row.k);
+  for (int run = 0; run < by_.order_; ++run, to += dim * by_.run_size_)
+    gather_points<dim>(x + dim * run, by_.order_, Boxes(row, by_.order_).count(run), to);
+  for (; !wanted_.empty() && std::pair(row.k, row.j) >= complete_after_; look_ahead())
+  {
     write(wanted_.front());
+    wanted_ = wanted_.subspan(1);
+  }
 }
 
-/// Nodes first, first + order, ... along a row, `count` of them, which lie in cells of one kind.
-void ResampledRows::write_run(const LatticeResampler::Candidate& cell, const LatticePoint& first, int count,
-                              double* run) const
+/// The nodes in `count` cells of one kind that follow each other from a box on.
+template <int dim>
+void ResampledRows<dim>::write_run(const LatticeResampler::Candidate& cell, const LatticePoint& box,
+                                   int count, bool exactly, double* to) const
 {
   const int order = by_.order_;
-  const LatticePoint box{first[0] / order + cell.box[0], first[1] / order + cell.box[1],
-                         first[2] / order + cell.box[2]};
+  const double* first = layer_ + dim * (box[0] + (by_.layered_ == 2 ? order * box[1] * by_.row_size_ : 0));
+  const int lowest = order * box[by_.layered_] % (order + 1);
   std::array<Source, max_terms> sources;
   for (std::size_t q = 0; q < cell.terms.size(); ++q)
   {
     const LatticeResampler::Term& term = cell.terms[q];
-    const LatticeResampler::Kept& row =
-        by_.kept(order * box[1] + term.offset[1], order * box[2] + term.offset[2]);
-    const int i = order * box[0] + term.offset[0];
-    sources[q] = {layer_ +
-                      static_cast<std::ptrdiff_t>(dim_) * (row.begin + i % order * row.width + i / order),
-                  term.weight};
+    const int plane = lowest + term.plane;
+    const std::ptrdiff_t place = (plane > order ? plane - order - 1 : plane) * by_.plane_size_ + term.place;
+    sources[q] = {first + dim * place, term.weight};
   }
-  add_up({sources.data(), cell.terms.size()}, static_cast<std::ptrdiff_t>(dim_) * count, run);
+  add_up({sources.data(), cell.terms.size()}, static_cast<std::ptrdiff_t>(dim) * count, exactly, to);
 }
 
 /// Each node lies in the first of its candidates that exists; along the row each of them exists for boxes
 /// that follow each other, and those that an earlier one has are in their middle.
-void ResampledRows::write(const BlockPlan::Row& row) const
+template <int dim>
+void ResampledRows<dim>::write(const BlockPlan::Row& row) const
 {
   const int order = by_.order_;
   const int j = row.j / order;
   const int k = row.k / order;
-  const int width = by_.kept(row.j, row.k).width;
-  for (int remainder = 0; remainder < order; ++remainder)
+  const Boxes boxes(row, order);
+  const auto* candidates = &by_.candidates_[order * (row.j % order + order * (row.k % order))];
+  double* to = runs_;
+  for (int run = 0; run < order; ++run, to += dim * by_.run_size_)
   {
-    const int first = std::max(0, (row.begin - remainder + order - 1) / order);
-    const int end = (row.end - remainder + order - 1) / order;
+    const int first = boxes.first(run);
+    const int end = boxes.end(run);
     int done_first = end;
     int done_end = first;
-    for (const auto& cell : by_.candidates_[remainder + order * (row.j % order + order * (row.k % order))])
+    for (const auto& cell : candidates[run])
     {
       const int cell_j = j + cell.box[1];
       const int cell_k = k + cell.box[2];
@@ -328,11 +373,12 @@ void ResampledRows::write(const BlockPlan::Row& row) const
       const int low = std::max(first, -cell.box[0]);
       const int high =
           std::min(end, by_.cells_.count_in_row(by_.cells_.kinds()[cell.kind], cell_j, cell_k) - cell.box[0]);
+      // What lies behind is written later, unless it is done.
       const auto write_boxes = [&](int from_box, int to_box)
       {
         if (from_box < to_box)
-          write_run(cell, {order * from_box + remainder, row.j, row.k}, to_box - from_box,
-                    runs_ + static_cast<std::ptrdiff_t>(dim_) * (remainder * width + from_box));
+          write_run(cell, {from_box + cell.box[0], cell_j, cell_k}, to_box - from_box,
+                    to_box <= done_first && done_first < done_end, to + dim * from_box);
       };
       if (low >= high)
         continue;
@@ -345,12 +391,12 @@ void ResampledRows::write(const BlockPlan::Row& row) const
       }
       done_first = std::min(done_first, low);
       done_end = std::max(done_end, high);
+      if (done_first <= first && done_end >= end)
+        break;
     }
   }
-  double* to = to_ + static_cast<std::ptrdiff_t>(dim_) * row.node;
-  move_runs(dim_, order, width, row.begin, row.end,
-            [&](std::ptrdiff_t in_run, std::ptrdiff_t in_row)
-            { std::copy_n(runs_ + in_run, dim_, to + in_row); });
+  join_runs<dim>(runs_, by_.run_size_, order, row.begin, row.end,
+                 to_ + static_cast<std::ptrdiff_t>(dim) * row.node);
 }
 
 Resampling::Resampling(const Grid& nodes, int order, int diagonal, std::span<const BlockPlan::Row> wanted)
@@ -366,19 +412,25 @@ Resampling::Resampling(const Grid& nodes, int order, int diagonal, std::span<con
   }
 }
 
-void Resampling::side_to_equal_steps(int side, int dim, const double* from, double* work, double* to) const
+template <int dim>
+void Resampling::side_to_equal_steps(int side, const double* from, double* work, double* to) const
 {
-  ResampledRows rows(sides_[side], side_rows_[side], dim, work, to);
+  ResampledRows<dim> rows(sides_[side], side_rows_[side], work, to);
   for (const BlockPlan::Row& row : side_rows_[side])
     rows.add(row, from + static_cast<std::ptrdiff_t>(dim) * row.node);
 }
 
 std::size_t Resampling::work_size(int dim) const
 {
-  std::size_t result = ResampledRows::work_size(inside_, dim);
+  std::size_t result = resampling_work(inside_, dim);
   for (const LatticeResampler& side : sides_)
-    result = std::max(result, ResampledRows::work_size(side, dim));
+    result = std::max(result, resampling_work(side, dim));
   return result;
 }
+
+template class ResampledRows<2>;
+template class ResampledRows<3>;
+template void Resampling::side_to_equal_steps<2>(int, const double*, double*, double*) const;
+template void Resampling::side_to_equal_steps<3>(int, const double*, double*, double*) const;
 
 }  // namespace blockfsi::block

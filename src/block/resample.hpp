@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace blockfsi::block
@@ -29,12 +30,15 @@ public:
   LatticeResampler(const Grid& nodes, int order, int diagonal, Direction direction, bool keep_last);
 
 private:
+  template <int dim>
   friend class ResampledRows;
+  friend std::size_t resampling_work(const LatticeResampler& resampler, int dim);
 
   /// Weight of a node of the same cell.
   struct Term
   {
-    element::LatticePoint offset{};  ///< from the cell's box, in steps of the lattice
+    int plane = 0;             ///< counted from the lowest one of the cell's layer
+    std::ptrdiff_t place = 0;  ///< in the plane, counted from where the cell's box begins
     double weight = 0.0;
   };
   /// A cell that nodes with some remainders of their coordinates by the order may lie in.
@@ -44,37 +48,37 @@ private:
     std::size_t kind = 0;
     std::vector<Term> terms;
   };
-  /// Where a row is kept.
-  struct Kept
-  {
-    std::int32_t begin = 0;  ///< place of its first node in the memory of a layer of cells
-    std::int32_t width = 0;  ///< nodes of each run at most
-  };
-
   void find_candidates(const std::vector<std::vector<double>>& weights);
-  void lay_out_rows();
-  const Kept& kept(int j, int k) const { return kept_[static_cast<std::size_t>(level_begin_[k]) + j]; }
+  /// Place of the first node of a row in the memory of a layer of cells.
+  std::ptrdiff_t row_place(int j, int k) const;
+  /// Place of a plane of the lattice in this memory: each takes that of the plane order + 1 before it.
+  std::ptrdiff_t plane_place(int plane) const { return plane % (order_ + 1) * plane_size_; }
 
   Grid nodes_;
   int order_;
-  int layered_;  ///< direction in which cells lie in layers: 2 of tetrahedra and pyramids, else 1
+  /// Direction in which layers of cells follow each other that have only the plane between them in common: 2
+  /// of tetrahedra and pyramids, else 1. Planes are the levels, or the rows of each level.
+  int layered_;
   BlockCells cells_;
   /// In the order of BlockCells::find; shape (order, order, order) over the remainders, the first fastest.
   std::vector<std::vector<Candidate>> candidates_;
-  std::vector<Kept> kept_;
-  std::vector<std::int32_t> level_begin_;
-  std::size_t layer_size_ = 0;  ///< nodes of the memory of a layer
-  std::size_t row_size_ = 0;    ///< of the longest row
+  // Numbers of nodes that there is memory for:
+  std::ptrdiff_t run_size_;
+  std::ptrdiff_t row_size_;
+  std::ptrdiff_t plane_size_;
 };
 
+/// Numbers that ResampledRows needs as working memory.
+std::size_t resampling_work(const LatticeResampler& resampler, int dim);
+
 /// Resamples a lattice that comes row by row, so that one layer of cells is kept, not the lattice.
+template <int dim>
 class ResampledRows
 {
 public:
-  ///   wanted: rows that are written at Row::node of `to`, ascending;  work, shape (work_size)
-  ResampledRows(const LatticeResampler& resampler, std::span<const BlockPlan::Row> wanted, int dim,
-                double* work, double* to);
-  static std::size_t work_size(const LatticeResampler& resampler, int dim);
+  ///   wanted: rows that are written at Row::node of `to`, ascending;  work, shape (resampling_work)
+  ResampledRows(const LatticeResampler& resampler, std::span<const BlockPlan::Row> wanted, double* work,
+                double* to);
 
   /// Takes a whole row, in ascending order; rows of layers without wanted rows may be left out. Writes the
   /// wanted rows all of whose cells are complete.
@@ -82,14 +86,15 @@ public:
   void add(const BlockPlan::Row& row, const double* x);
 
 private:
-  bool is_complete(const BlockPlan::Row& wanted, const BlockPlan::Row& last) const;
+  /// Finds out after which row the first wanted one is complete.
+  void look_ahead();
   void write(const BlockPlan::Row& row) const;
-  void write_run(const LatticeResampler::Candidate& cell, const element::LatticePoint& first, int count,
-                 double* run) const;
+  void write_run(const LatticeResampler::Candidate& cell, const element::LatticePoint& box, int count,
+                 bool exactly, double* to) const;
 
   const LatticeResampler& by_;
   std::span<const BlockPlan::Row> wanted_;
-  int dim_;
+  std::pair<int, int> complete_after_;  ///< level and row
   double* layer_;
   double* runs_;
   double* to_;
@@ -105,7 +110,8 @@ public:
   /// The rows at equal steps that the wanted ones need, with 0 as Row::node.
   std::span<const BlockPlan::Row> lattice_rows() const { return rows_; }
   ///   from, to, shape (size of the side, dim);  work, shape (work_size)
-  void side_to_equal_steps(int side, int dim, const double* from, double* work, double* to) const;
+  template <int dim>
+  void side_to_equal_steps(int side, const double* from, double* work, double* to) const;
   const LatticeResampler& inside() const { return inside_; }
   std::size_t work_size(int dim) const;
 
