@@ -24,8 +24,6 @@ using element::Shape;
 
 /// Weights below this are those of nodes that have none: cells have few nodes, and all weights are of size 1.
 constexpr double rounding = 1e-13;
-/// Nodes of the largest cell that is resampled, a pyramid of order 8.
-constexpr std::size_t max_terms = 285;
 
 /// Whether the last direction of a shape is a product with the others.
 Shape cross_section(Shape shape)
@@ -161,30 +159,26 @@ private:
 /// What registers may hold behind the numbers that they are used for.
 constexpr std::ptrdiff_t spare = 2 * lane_count;
 
-struct Source
-{
-  const double* x;
-  double weight;
-};
-
-/// Sums of weight_q x_q for some registers.
-template <std::size_t count>
-std::array<Lanes, count> weighted_sums(std::span<const Source> sources, std::ptrdiff_t from)
+/// Sums of weight_q x[place_q] for some registers.
+template <std::size_t count, int dim, typename Terms>
+std::array<Lanes, count> weighted_sums(const Terms& terms, std::size_t parity, const double* x)
 {
   std::array<Lanes, count> sum{};
-  for (const Source& source : sources)
+  for (const auto& term : terms)
     for (std::size_t m = 0; m < count; ++m)
-      sum[m] += source.weight * Load{}(source.x + from + lane_count * m);
+      sum[m] += term.weight * Load{}(x + dim * term.place[parity] + lane_count * m);
   return sum;
 }
 
-/// Writes sum_q weight_q x_q, shape (size); reads up to `spare` numbers more of each, and unless told to
-/// write exactly these writes as many more.
-void add_up(std::span<const Source> sources, std::ptrdiff_t size, bool exactly, double* to)
+/// Writes sum_q weight_q x[place_q], shape (size); reads up to `spare` numbers more of each, and unless told
+/// to write exactly these writes as many more.
+template <int dim, typename Terms>
+void add_up(const Terms& terms, std::size_t parity, const double* x, std::ptrdiff_t size, bool exactly,
+            double* to)
 {
   const auto write = [&]<std::size_t count>(std::ptrdiff_t from, std::integral_constant<std::size_t, count>)
   {
-    const std::array<Lanes, count> sum = weighted_sums<count>(sources, from);
+    const std::array<Lanes, count> sum = weighted_sums<count, dim>(terms, parity, x + from);
     if (exactly)
       std::memcpy(to + from, sum.data(), std::min(sizeof(sum), sizeof(double) * (size - from)));
     else
@@ -271,10 +265,14 @@ void LatticeResampler::find_candidates(const std::vector<std::vector<double>>& w
             // Nodes between two layers take nothing from within either of them.
             for (std::size_t b = 0; b < all.size(); ++b)
               if (std::abs(row[b]) > rounding && !(between_layers && all[b][layered_] != local[layered_]))
-                candidate.terms.push_back({all[b][layered_],
-                                           (layered_ == 2 ? all[b][1] * row_size_ : 0) +
-                                               all[b][0] % order_ * run_size_ + all[b][0] / order_,
-                                           row[b]});
+              {
+                const LatticePoint& p = all[b];
+                const std::ptrdiff_t in_plane =
+                    (layered_ == 2 ? p[1] * row_size_ : 0) + p[0] % order_ * run_size_ + p[0] / order_;
+                candidate.terms.push_back({row[b],
+                                           {in_plane + p[layered_] * plane_size_,
+                                            in_plane + (order_ - p[layered_]) * plane_size_}});
+              }
             candidates_[remainders].push_back(std::move(candidate));
           }
   }
@@ -282,7 +280,10 @@ void LatticeResampler::find_candidates(const std::vector<std::vector<double>>& w
 
 std::ptrdiff_t LatticeResampler::row_place(int j, int k) const
 {
-  return layered_ == 2 ? plane_place(k) + j * row_size_ : plane_place(j);
+  const int plane = layered_ == 2 ? k : j;
+  const int in_layer = plane % order_;
+  const int slot = plane / order_ % 2 == 0 ? in_layer : order_ - in_layer;
+  return slot * plane_size_ + (layered_ == 2 ? j * row_size_ : 0);
 }
 
 /// Lanes are read and written past the last number of a layer and of a run.
@@ -332,18 +333,10 @@ template <int dim>
 void ResampledRows<dim>::write_run(const LatticeResampler::Candidate& cell, const LatticePoint& box,
                                    int count, bool exactly, double* to) const
 {
-  const int order = by_.order_;
-  const double* first = layer_ + dim * (box[0] + (by_.layered_ == 2 ? order * box[1] * by_.row_size_ : 0));
-  const int lowest = order * box[by_.layered_] % (order + 1);
-  std::array<Source, max_terms> sources;
-  for (std::size_t q = 0; q < cell.terms.size(); ++q)
-  {
-    const LatticeResampler::Term& term = cell.terms[q];
-    const int plane = lowest + term.plane;
-    const std::ptrdiff_t place = (plane > order ? plane - order - 1 : plane) * by_.plane_size_ + term.place;
-    sources[q] = {first + dim * place, term.weight};
-  }
-  add_up({sources.data(), cell.terms.size()}, static_cast<std::ptrdiff_t>(dim) * count, exactly, to);
+  const std::ptrdiff_t row = by_.layered_ == 2 ? by_.order_ * box[1] * by_.row_size_ : 0;
+  const double* from = layer_ + dim * (box[0] + row);
+  const std::size_t parity = static_cast<std::size_t>(box[by_.layered_]) % 2;
+  add_up<dim>(cell.terms, parity, from, static_cast<std::ptrdiff_t>(dim) * count, exactly, to);
 }
 
 /// Each node lies in the first of its candidates that exists; along the row each of them exists for boxes

@@ -37,9 +37,9 @@ private:
   /// Weight of a node of the same cell.
   struct Term
   {
-    int plane = 0;             ///< counted from the lowest one of the cell's layer
-    std::ptrdiff_t place = 0;  ///< in the plane, counted from where the cell's box begins
     double weight = 0.0;
+    /// In layers with an even and with an odd number, counted from where the box begins in the lowest plane.
+    std::array<std::ptrdiff_t, 2> place{};
   };
   /// A cell that nodes with some remainders of their coordinates by the order may lie in.
   struct Candidate
@@ -49,11 +49,9 @@ private:
     std::vector<Term> terms;
   };
   void find_candidates(const std::vector<std::vector<double>>& weights);
-  /// Place of the first node of a row in the memory of a layer of cells.
+  /// Place of the first node of a row in the memory of a layer of cells. The planes of even layers are kept
+  /// upwards, those of odd ones downwards, so that the plane between two layers stays where it is.
   std::ptrdiff_t row_place(int j, int k) const;
-  /// Place of a plane of the lattice in this memory: each takes that of the plane order + 1 before it.
-  std::ptrdiff_t plane_place(int plane) const { return plane % (order_ + 1) * plane_size_; }
-
   Grid nodes_;
   int order_;
   /// Direction in which layers of cells follow each other that have only the plane between them in common: 2
