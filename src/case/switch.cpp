@@ -43,9 +43,11 @@ void read_switches(const Value& value, Reading& reading, const std::filesystem::
 {
   if (std::holds_alternative<Value::Table>(value.content))
     switches.push_back(read_switch(value, reading, file));
-  else
-    for (const Value& entry : list(value))
+  else if (const auto* entries = std::get_if<Value::List>(&value.content))
+    for (const Value& entry : *entries)
       switches.push_back(read_switch(entry, reading, file));
+  else
+    fail(value, fmt::format("found {}, allowed is a table [switch] or several [[switch]]", found(value)));
 }
 
 std::vector<Section> switch_sections()
