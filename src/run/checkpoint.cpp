@@ -77,7 +77,7 @@ output::Arrays Simulation::save() const
   output::Arrays arrays;
   arrays["skeleton"] = skeleton_.x;
   arrays["solid.skeleton"] = solid_skeleton_x_;
-  arrays["step"] = std::vector<std::int64_t>{step_, start_step_, rough_step_};
+  arrays["step"] = std::vector<std::int64_t>{step_, start_step_};
   arrays["time"] = std::vector<double>{time_, start_time_, case_.time.step};
   if (fluid_)
   {
@@ -115,10 +115,9 @@ void Simulation::restore(const output::Arrays& arrays)
   const Values clock = take(arrays, "time", 3);
   const bool same_steps = clock[2] == case_.time.step;
   const auto steps = output::get<std::vector<std::int64_t>>(arrays, "step");
-  if (steps.size() != 3)
+  if (steps.size() < 2)
     throw Error(fmt::format("{}it was written by another version; start anew without --restart", mismatch));
   step_ = steps[0];
-  rough_step_ = steps[2];
   time_ = clock[0];
   start_step_ = same_steps ? steps[1] : step_;
   start_time_ = same_steps ? clock[1] : time_;

@@ -240,7 +240,7 @@ output::Arrays Handover::body_of(const Simulation& from, const Simulation& to) c
   const auto values = [&](const std::string& name) { return output::get<Values>(old, name); };
   output::Arrays next = to.save();
   next["time"] = Values{from.time(), from.time(), to.description().time.step};
-  next["step"] = std::vector<std::int64_t>{from.step(), from.step(), from.step()};
+  next["step"] = std::vector<std::int64_t>{from.step(), from.step()};
   for (const char* name : {"interface.0", "interface.1", "interface.2"})
     next[name] = pick(values(name), interface_);
   next["interface.step"] = values("interface.step");

@@ -43,8 +43,8 @@ public:
   /// the bodies are not, or if a part is missing. All processes must call it together.
   Handover(const Simulation& from, const Simulation& to, const Location& where);
 
-  /// Makes the state of `from` that of `to`, which goes on with the steps of a start. All processes must call
-  /// it together.
+  /// Makes the state of `from` that of `to`, which goes on with the next step. All processes must call it
+  /// together.
   [[nodiscard]] HandoverReport carry(const Simulation& from, Simulation& to) const;
 
 private:

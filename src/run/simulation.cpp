@@ -94,7 +94,7 @@ std::vector<fem::TimeStep> Simulation::substeps(int pieces) const
   const fem::TimeParameters& time = case_.time;
   if (time.scheme == fem::Scheme::steady)
     return {{0.0, 0.0, 1.0, 1.0}};
-  const bool starts = time.scheme == fem::Scheme::crank_nicolson && step_ - rough_step_ < time.start_up;
+  const bool starts = time.scheme == fem::Scheme::crank_nicolson && step_ < time.start_up;
   const int count = starts ? 2 * pieces : pieces;
   const double dt = time.step / count;
   const double decay = time.ringing_decay > 0.0 ? time.ringing_decay : default_ringing_decay * time.step;

@@ -103,8 +103,6 @@ private:
   /// Where the present length of step began: not at the start if a restart changed it.
   std::int64_t start_step_ = 0;
   double start_time_ = 0.0;
-  /// The step from which the state did not come from one of this scheme: 0, or that of a transfer.
-  std::int64_t rough_step_ = 0;
   /// Displacement of the interface at the last accepted (sub)steps, newest first.
   std::vector<std::vector<double>> history_;
   /// Length of the step that led to the newest, and how many in a row had it.
