@@ -1,5 +1,6 @@
 #include "mesh_options.hpp"
 
+#include "core/error.hpp"
 #include "element/nodes.hpp"
 
 #include <CLI/CLI.hpp>
@@ -16,6 +17,12 @@ void add_case(CLI::App& command, CaseArguments& arguments)
 
 void add_mesh_options(CLI::App& command, MeshArguments& arguments)
 {
+  CLI::Option* const of = command.get_option("case")->required(false);
+  command
+      .add_option(
+          "--list", arguments.list,
+          "instead of a mesh: the edges and faces of a CAD file (.step, .stp, .iges, .igs), by number")
+      ->excludes(of);
   command.add_option("-o,--output", arguments.options.output,
                      "file to write: .vtu (VTK, ParaView) or .msh (Gmsh)");
   std::vector<std::string> names;
@@ -37,6 +44,10 @@ void add_mesh_options(CLI::App& command, MeshArguments& arguments)
 
 command::Exit make_case_mesh(const CaseArguments& of, const MeshArguments& arguments)
 {
+  if (!arguments.list.empty())
+    return command::list_cad(arguments.list);
+  if (of.path.empty())
+    throw Error("a case is needed, or --list and a CAD file; --help lists all options");
   command::MeshOptions options = arguments.options;
   for (const std::string& name : arguments.conversions)
     for (const auto& [known, target] : command::conversions())

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "block/connect.hpp"
 #include "block/corner_layout.hpp"
 #include "block/layout.hpp"
 #include "coupling/parameters.hpp"
@@ -11,6 +12,7 @@
 
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -57,6 +59,8 @@ struct Case
   std::string title;
   Constants constants;
   block::Layout layout;
+  /// Of the layout as it was read: checking it places all nodes on edges and faces, which can take long.
+  std::shared_ptr<const block::Skeleton> skeleton;
   Motion motion;
   /// Other ways for `blockfsi compare`, by name.
   std::vector<std::pair<std::string, Motion>> variants;

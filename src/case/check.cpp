@@ -257,9 +257,9 @@ void check_forces(const Case& read, const Outline& outline)
 
 }  // namespace
 
-void check(const Case& read, const Reading& reading, const Value& root)
+block::Skeleton check(const Case& read, const Reading& reading, const Value& root)
 {
-  const block::Skeleton skeleton = block::make_skeleton(read.layout);
+  block::Skeleton skeleton = block::make_skeleton(read.layout);
   const Outline outline(read.layout, skeleton);
   check_regions(read, outline, root);
   if (read.fluid)
@@ -280,6 +280,7 @@ void check(const Case& read, const Reading& reading, const Value& root)
   check_samples(read, reading, outline);
   check_probes(read, outline);
   check_forces(read, outline);
+  return skeleton;
 }
 
 }  // namespace blockfsi::case_file

@@ -170,7 +170,7 @@ Case read(const std::filesystem::path& path, const std::vector<std::string>& ove
       part.read(*value, draft);
   }
   slide_along_walls(draft.result);
-  check(draft.result, draft.reading, root);
+  draft.result.skeleton = std::make_shared<const block::Skeleton>(check(draft.result, draft.reading, root));
   return std::move(draft.result);
 }
 

@@ -5,6 +5,7 @@
 #include "block/place.hpp"
 #include "command/parts.hpp"
 #include "command/picture.hpp"
+#include "geometry/cad.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/validity.hpp"
 #include "output/mesh_file.hpp"
@@ -12,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace blockfsi::command
 {
@@ -173,8 +175,13 @@ Exit make_mesh(const std::filesystem::path& path, const std::vector<std::string>
   layout.order = order_before(layout, options.steps, order);
   parts.end("read, check");
 
-  const block::Skeleton skeleton = block::make_skeleton(layout);
-  parts.end("edges, faces");
+  std::optional<block::Skeleton> of_other_order;
+  if (layout.order != description.layout.order)
+  {
+    of_other_order = block::make_skeleton(layout);
+    parts.end("edges, faces");
+  }
+  const block::Skeleton& skeleton = of_other_order ? *of_other_order : *description.skeleton;
   if (!options.picture.empty())
   {
     draw_blocks(options.picture, layout, skeleton,
@@ -219,6 +226,12 @@ Exit make_mesh(const std::filesystem::path& path, const std::vector<std::string>
   fmt::print(stderr, "blockfsi: cell {} of {} is not proved valid\n", validity.cell,
              layout.blocks[validity.block].name);
   return Exit::failed;
+}
+
+Exit list_cad(const std::filesystem::path& path)
+{
+  fmt::print("{}", geometry::describe(geometry::CadFile(path)));
+  return Exit::done;
 }
 
 }  // namespace blockfsi::command

@@ -35,4 +35,8 @@ const std::vector<std::pair<std::string, mesh::Target>>& conversions();
 [[nodiscard]] Exit make_mesh(const std::filesystem::path& path, const std::vector<std::string>& overrides,
                              const MeshOptions& options);
 
+/// Prints the edges and faces of a STEP or an IGES file (geometry::describe). Throws Error if it cannot be
+/// read.
+[[nodiscard]] Exit list_cad(const std::filesystem::path& path);
+
 }  // namespace blockfsi::command

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 namespace blockfsi::geometry
 {
@@ -13,16 +14,29 @@ namespace blockfsi::geometry
 namespace
 {
 
-std::string box_text(const CadItem& item)
+/// Three coordinates; what is round-off beside the size of the whole is 0.
+std::string point_text(const Point& x, double round_off)
 {
-  return fmt::format("{:11.5g} {:11.5g} {:11.5g}   {:11.5g} {:11.5g} {:11.5g}", item.low[0], item.low[1],
-                     item.low[2], item.high[0], item.high[1], item.high[2]);
+  std::string result;
+  for (const double value : x)
+    result += fmt::format(" {:>11.5g}", std::abs(value) <= round_off ? 0.0 : value);
+  return result;
 }
 
-std::string heading(const char* what)
+std::string heading(const char* what, const char* from, const char* to)
 {
-  return fmt::format("{:<6} {:<11} {:>11} {:>11} {:>11}   {:>11} {:>11} {:>11}", what, "type", "from x", "y",
-                     "z", "to x", "y", "z");
+  return fmt::format("{:<6} {:<11} {:>11} {:>11} {:>11}   {:>11} {:>11} {:>11}", what, "type", from, "y", "z",
+                     to, "y", "z");
+}
+
+double largest_coordinate(const CadFile& file)
+{
+  double result = 0.0;
+  for (const std::vector<CadItem>* items : {&file.edges(), &file.faces()})
+    for (const CadItem& item : *items)
+      for (std::size_t c = 0; c < 3; ++c)
+        result = std::max({result, std::abs(item.low[c]), std::abs(item.high[c])});
+  return result;
 }
 
 }  // namespace
@@ -43,12 +57,17 @@ bool is_iges(const std::filesystem::path& path)
 
 std::string describe(const CadFile& file)
 {
-  std::string result = heading("edge") + "   length [m]\n";
+  const double round_off = 1e-9 * largest_coordinate(file);
+  std::string result = heading("edge", "start x [m]", "end x [m]") + "   length [m]\n";
   for (const CadItem& item : file.edges())
-    result += fmt::format("{:<6} {:<11} {}   {:.6g}\n", item.number, item.type, box_text(item), item.length);
-  result += heading("face") + "\n";
+    result += fmt::format("{:<6} {:<11}{}  {}   {:.6g}\n", item.number, item.type,
+                          point_text(item.start, round_off), point_text(item.end, round_off), item.length);
+  if (file.faces().empty())
+    return result;
+  result += heading("face", "from x [m]", "to x [m]") + "\n";
   for (const CadItem& item : file.faces())
-    result += fmt::format("{:<6} {:<11} {}\n", item.number, item.type, box_text(item));
+    result += fmt::format("{:<6} {:<11}{}  {}\n", item.number, item.type, point_text(item.low, round_off),
+                          point_text(item.high, round_off));
   return result;
 }
 

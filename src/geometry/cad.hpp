@@ -65,7 +65,8 @@ bool reads_cad();
 /// ending.
 bool is_iges(const std::filesystem::path& path);
 
-/// All edges and faces with number, type, size and place, one line each.
+/// A line for each edge with its number, type, ends and length, then one for each face with its number, type
+/// and the box around it.
 std::string describe(const CadFile& file);
 
 }  // namespace blockfsi::geometry

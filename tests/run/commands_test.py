@@ -132,8 +132,8 @@ class Mesh(RunTest):
         self.assertTrue(any(sorted(row[-3:]) == ["0.0006", "0.0336", "3.826"] for row in rows), rows)
 
     def test_the_time_of_each_part_is_told(self):
-        for words, optional in (([], []), (["-o", "m.vtu", "--picture", "m.svg", "--convert", "triangles"],
-                                           ["picture", "convert", "write"])):
+        for words, optional in (([], []), (["-o", "m.vtu", "--picture", "m.svg", "--convert", "triangles", "--order", "2"],
+                                           ["edges, faces", "picture", "convert", "write"])):
             before = time.monotonic()
             output = self.call("mesh", self.case, *words).stdout
             taken = time.monotonic() - before
@@ -142,7 +142,7 @@ class Mesh(RunTest):
             self.assertEqual(re.split("  +", lines[0]), ["part", "seconds", "share", "nodes per s"])
             rows = {name: (float(seconds), float(share.rstrip("%")), rate)
                     for name, seconds, share, rate in (re.split("  +", line) for line in lines[1:])}
-            always = ["read, check", "edges, faces", "connect", "place", "quality", "certify", "total"]
+            always = ["read, check", "connect", "place", "quality", "certify", "total"]
             self.assertEqual([name for name in rows if name not in optional], always)
             self.assertEqual([name for name in rows if name in optional], optional)
             total, whole, rate = rows.pop("total")
@@ -296,6 +296,38 @@ class Picture(RunTest):
         (self.folder / "house.toml").write_text(HOUSE)
         told = self.call("mesh", "house.toml", "--picture", "edges.svg", code=USER_ERROR).stderr
         self.assertIn("the picture 'edges.svg' of blocks in space must end in .vtu", told)
+
+
+class CadList(RunTest):
+    def setUp(self):
+        super().setUp()
+        self.part = support.CASES.parent / "tests/unit/case/part.step"
+
+    def test_edges_of_a_cad_file_are_listed_without_a_case(self):
+        result = self.run_list("--list", self.part)
+        if "built without CAD" in result.stderr:
+            self.assertEqual(result.returncode, USER_ERROR)
+            return
+        self.assertEqual(result.returncode, support.DONE, result.stderr)
+        heading, *rows = [re.split("  +", line.strip()) for line in result.stdout.splitlines()]
+        self.assertEqual(heading[0], "edge")
+        # A quarter of a circle from (1, 0) to (0, -0.2) [m].
+        self.assertEqual([row[:2] for row in rows], [["1", "circle"]])
+
+    def test_it_is_either_a_case_or_a_list(self):
+        for words, told in (([], "a case is needed, or --list and a CAD file"),
+                            (["case.toml", "--list", self.part], "case excludes --list"),
+                            (["--list", "missing.step"], "cannot read missing.step: there is no such file"),
+                            (["--list", support.CASES / "aorta/case.toml"], "must end in .step, .stp, .iges or .igs")):
+            with self.subTest(words):
+                result = self.run_list(*words)
+                self.assertEqual(result.returncode, USER_ERROR)
+                self.assertIn(told, result.stderr)
+                self.assertEqual(result.stdout, "")
+
+    def run_list(self, *words):
+        return subprocess.run([support.PROGRAM, "mesh", *words], cwd=self.folder, capture_output=True, text=True,
+                              timeout=60)
 
 
 class Describe(RunTest):

@@ -300,3 +300,12 @@ TEST_CASE("edges of STEP and IGES files are curves in metres")
                   {"blocks.edges.'a - b'={ step = { file = '" + file + "', edge = 7 } }"})
             .find("has no edge 7; its edges have the numbers from 1 to 1") != std::string::npos);
 }
+
+TEST_CASE("a case brings the nodes on its edges and faces that checking it placed")
+{
+  const case_file::Case description = case_file::read(folder / "everything_3d.toml");
+  const block::Skeleton skeleton = block::make_skeleton(description.layout);
+  REQUIRE(description.skeleton != nullptr);
+  CHECK((description.skeleton->x == skeleton.x));
+  CHECK((description.skeleton->parameter == skeleton.parameter));
+}

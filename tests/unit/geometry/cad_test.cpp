@@ -363,8 +363,18 @@ TEST_CASE("the list of a CAD file has a line for each edge and face")
 {
   const std::string list = describe(through_file(BRepPrimAPI_MakeBox(100, 200, 300).Shape(), "box.step"));
   CHECK(std::count(list.begin(), list.end(), '\n') == 12 + 6 + 2);
-  CHECK(list.find("plane") != std::string::npos);
-  CHECK(list.find("0.3") != std::string::npos);
+  CHECK(list.find(
+            "edge   type        start x [m]           y           z     end x [m]           y           z   "
+            "length [m]\n") == 0);
+  CHECK(
+      list.find(
+          "line                  0           0           0             0           0         0.3   0.3\n") !=
+      std::string::npos);
+  CHECK(list.find("\nface   type         from x [m]           y           z      to x [m]           y        "
+                  "   z\n") != std::string::npos);
+  CHECK(
+      list.find("plane               0.1           0           0           0.1         0.2         0.3\n") !=
+      std::string::npos);
 }
 
 #else
