@@ -1,5 +1,6 @@
 #include "block/face_shape.hpp"
 #include "block/message.hpp"
+#include "block/topology.hpp"
 #include "geometry/on_level_set.hpp"
 #include "geometry/overloaded.hpp"
 #include "geometry/primitive.hpp"
@@ -7,9 +8,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
+#include <string>
+#include <utility>
 #include <variant>
+#include <vector>
 
 namespace blockfsi::block
 {
@@ -20,23 +25,88 @@ namespace
 using geometry::Overloaded;
 using geometry::Point;
 
-bool is_of_a_block(const Layout& layout, const Face& face)
+/// Surfaces may miss the corners of their faces by so much of the size of the layout; what lies between the
+/// corners is looked at when nodes are placed.
+constexpr double corner_tolerance = 1e-6;
+
+std::vector<int> sorted(std::vector<int> points)
 {
-  return std::any_of(layout.blocks.begin(), layout.blocks.end(),
-                     [&](const Block& block)
-                     {
-                       const auto sides = element::sides(block.shape);
-                       return std::any_of(sides.begin(), sides.end(),
-                                          [&](const element::SideShape& side)
-                                          {
-                                            std::vector<int> points;
-                                            for (int c = 0; c < element::corner_count(side.shape); ++c)
-                                              points.push_back(block.points[side.corners[c]]);
-                                            return std::is_permutation(points.begin(), points.end(),
-                                                                       face.points.begin(),
-                                                                       face.points.end());
-                                          });
-                     });
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
+/// The corners of all faces of blocks in their order round them, by the same corners sorted.
+using Faces = std::map<std::vector<int>, std::vector<int>>;
+
+Faces faces_of_blocks(const Layout& layout)
+{
+  Faces result;
+  for (const Block& block : layout.blocks)
+    for (const element::SideShape& side : element::sides(block.shape))
+    {
+      std::vector<int> points;
+      for (int c = 0; c < element::corner_count(side.shape); ++c)
+        points.push_back(block.points[side.corners[c]]);
+      result.emplace(sorted(points), points);
+    }
+  return result;
+}
+
+/// The corners of a face must follow each other round it.
+void check_round(const Layout& layout, const Face& face, const std::vector<int>& round)
+{
+  const std::size_t count = round.size();
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    const int a = face.points[k];
+    const int b = face.points[(k + 1) % count];
+    const std::size_t at = std::find(round.begin(), round.end(), a) - round.begin();
+    if (b == round[(at + 1) % count] || b == round[(at + count - 1) % count])
+      continue;
+    std::string names;
+    for (const int point : round)
+      names += (names.empty() ? "" : " - ") + layout.points[point].name;
+    throw mistake(face.where,
+                  fmt::format("the corners of the {} do not run round it: no edge joins {} and {}; list them "
+                              "as \"{}\"",
+                              side_text(layout, face.points), point_text(layout, a), point_text(layout, b),
+                              names));
+  }
+}
+
+/// The corners of a patch must be those of the face.
+void check_corners(const Layout& layout, const Face& face, const geometry::Surface& surface, double size)
+{
+  static constexpr std::array<const char*, 4> ordinals = {"first", "second", "third", "fourth"};
+  const int count = geometry::corner_count(surface);
+  for (int c = 0; c < count && count == static_cast<int>(face.points.size()); ++c)
+  {
+    const Point& x = layout.points[face.points[c]].x;
+    const Point corner = geometry::corner(surface, c);
+    const auto [u, v] = geometry::corner_parameters(surface, c);
+    if (!(geometry::distance(x, corner) <= corner_tolerance * size))
+      throw mistake(
+          face.where,
+          fmt::format("the surface of the {} is at ({:.9g}, {:.9g}, {:.9g}) for u = {}, v = {}, but "
+                      "its {} corner is {}; list the corners so that u runs from the first to the "
+                      "second and v from the first to the last, or correct the surface",
+                      side_text(layout, face.points), corner[0], corner[1], corner[2], u, v, ordinals[c],
+                      point_text(layout, face.points[c])));
+  }
+}
+
+/// Mistakes that would be told of the edges of a face otherwise, of which the user said nothing. That no
+/// block has the face is told later.
+void check_faces(const Layout& layout, const Faces& faces)
+{
+  const double size = layout_size(layout);
+  for (const Face& face : layout.faces)
+    if (const auto found = faces.find(sorted(face.points)); found != faces.end())
+    {
+      check_round(layout, face, found->second);
+      if (const auto* patch = std::get_if<Patch>(&face.geometry))
+        check_corners(layout, face, patch->surface, size);
+    }
 }
 
 /// The level set of a surface, where it has one.
@@ -132,11 +202,13 @@ Layout with_curves_on_faces(const Layout& layout)
 {
   if (layout.faces.empty())
     return layout;
+  const Faces faces = faces_of_blocks(layout);
+  check_faces(layout, faces);
   Layout result = layout;
   std::map<std::pair<int, int>, std::vector<Use>> uses;
   for (const Face& face : layout.faces)
   {
-    if (std::holds_alternative<Interpolated>(face.geometry))
+    if (std::holds_alternative<Interpolated>(face.geometry) || !faces.contains(sorted(face.points)))
       continue;
     const auto count = static_cast<int>(face.points.size());
     for (int side = 0; side < count; ++side)
@@ -173,9 +245,6 @@ Layout with_curves_on_faces(const Layout& layout)
     }
     catch (const Error& error)
     {
-      // That no block has the face is the mistake then, which is told later.
-      if (!is_of_a_block(layout, face))
-        continue;
       throw mistake(face.where, error
                                     .within("the edge " + edge_text(layout, edge.a, edge.b) + " of the " +
                                             side_text(layout, face.points))

@@ -5,12 +5,18 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string>
 
 namespace blockfsi::geometry
 {
 
 namespace
 {
+
+std::string times_text(int times)
+{
+  return times == 1 ? "once" : fmt::format("{} times", times);
+}
 
 void check_order(std::string_view what, int degree, std::span<const double> knots)
 {
@@ -31,14 +37,14 @@ void check_order(std::string_view what, int degree, std::span<const double> knot
     const auto times = static_cast<int>(end - i);
     const bool outer = i == 0 || end == knots.size();
     if (outer && times != degree + 1)
-      throw Error(fmt::format("{}: the {} knot, {:.9g}, stands there {} times; degree {} needs {} times, so "
-                              "that the curve ends at its control point",
-                              what, i == 0 ? "first" : "last", knots[i], times, degree, degree + 1));
+      throw Error(fmt::format("{}: the {} knot, {:.9g}, is listed {}; degree {} needs it {} times, so that "
+                              "the curve ends at its control point",
+                              what, i == 0 ? "first" : "last", knots[i], times_text(times), degree,
+                              degree + 1));
     if (!outer && times > degree)
-      throw Error(
-          fmt::format("{}: knot {}, {:.9g}, stands there {} times; degree {} allows {} times, else the "
-                      "curve is torn there",
-                      what, i + 1, knots[i], times, degree, degree));
+      throw Error(fmt::format("{}: knot {}, {:.9g}, is listed {}; degree {} allows that {}, else the "
+                              "curve is torn there",
+                              what, i + 1, knots[i], times_text(times), degree, times_text(degree)));
     i = end;
   }
 }

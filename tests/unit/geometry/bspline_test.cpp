@@ -140,14 +140,14 @@ TEST_CASE("wrong knots are refused by name")
   CHECK(message_of(2, {0, 0, 0, 0.6, 0.5, 1, 1, 1}, 5) ==
         "the B-spline: knot 5 is 0.5, less than knot 4, 0.6; knots must not decrease");
   CHECK(message_of(2, {0, 0, 0.5, 0.5, 1, 1, 1}, 4) ==
-        "the B-spline: the first knot, 0, stands there 2 times; degree 2 needs 3 times, so that the curve "
+        "the B-spline: the first knot, 0, is listed 2 times; degree 2 needs it 3 times, so that the curve "
         "ends at "
         "its control point");
   CHECK(message_of(2, {0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1}, 6) ==
-        "the B-spline: knot 4, 0.5, stands there 3 times; degree 2 allows 2 times, else the curve is torn "
+        "the B-spline: knot 4, 0.5, is listed 3 times; degree 2 allows that 2 times, else the curve is torn "
         "there");
-  CHECK(message_of(2, {0, 0, 0, 0.5, 1, 1, 2}, 4) == "the B-spline: the last knot, 2, stands there 1 times; "
-                                                     "degree 2 needs 3 times, so that the curve ends at "
+  CHECK(message_of(2, {0, 0, 0, 0.5, 1, 1, 2}, 4) == "the B-spline: the last knot, 2, is listed once; "
+                                                     "degree 2 needs it 3 times, so that the curve ends at "
                                                      "its control point");
   CHECK(message_of(1, {0, 0, std::numeric_limits<double>::quiet_NaN(), 1, 1}, 3) ==
         "the B-spline: knot 3 is nan; it must be finite");
