@@ -206,6 +206,11 @@ Handover::Handover(const Simulation& from, const Simulation& to, const Location&
                             "cases; it has {} nodes in the first one and {} in the second",
                             from.solid()->numbering().total_count(), body.numbering().total_count()));
   body_ = match(gather_owned(*from.solid(), from.solid()->X()), body.X(), where);
+  if (from.interface_points().size() != to.interface_points().size())
+    throw Error(where,
+                fmt::format("[switch] to: the fluid must surround the body alike in both cases; it meets {} "
+                            "nodes of it in the first one and {} in the second",
+                            from.interface_points().size() / 2, to.interface_points().size() / 2));
   interface_ = match(from.interface_points(), to.interface_points(), where);
   conditions_ = fluid::find_conditions(*to.description().fluid, fluid.mesh(), fluid.numbering(), fluid.x());
   first_x_.assign(fluid.x().begin(), fluid.x().end());

@@ -193,6 +193,18 @@ class Switch(RunTest):
         self.assertIn("has a section [switch], too; name all layouts here", self.run_first(code=USER_ERROR).stderr)
         (self.folder / "first.toml").write_text(text_of(DIVIDE, end=0.16, more='[switch]\nto = "third.toml"\n'))
         self.assertIn("there is no case file", self.run_first(code=USER_ERROR).stderr)
+        # A wall behind the flap: the fluid no longer meets its tip.
+        wall = {
+            '"fluid  .    flap  fluid"': '"fluid  .    flap  .    "',
+            'square = "hole 1 in channel"': 'square = "hole 1 in channel"\n'
+                                            'gap = "x >= 0.095 and (y = 0.0597 or y = 0.0603)"\n'
+                                            'tip = "x = 0.095 and y >= 0.0597 and y <= 0.0603"',
+            "square = { wall": "gap = { wall = true }\nsquare = { wall",
+            "square  = { fixed": "tip = { free = true }\nsquare  = { fixed",
+        }
+        self.write(text_of(DIVIDE, end=0.16, more=switch), text_of(DIVIDE, wall, end=0.16))
+        error = self.run_first(code=USER_ERROR).stderr
+        self.assertIn("it meets 19 nodes of it in the first one and 18 in the second", error)
         self.assertFalse((self.folder / "out").exists())
 
 
