@@ -19,6 +19,8 @@ std::size_t kernel_work(const BlockPlan& plan, int dim)
       return prism_work(plan);
     case element::Shape::tetrahedron:
       return tetrahedron_work(plan);
+    case element::Shape::pyramid:
+      return pyramid_work(plan);
     default:
       return 0;
     }

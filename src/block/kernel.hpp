@@ -48,6 +48,7 @@ std::size_t triangle_work(const BlockPlan& plan, int dim);
 std::size_t hexahedron_work(const BlockPlan& plan);
 std::size_t prism_work(const BlockPlan& plan);
 std::size_t tetrahedron_work(const BlockPlan& plan);
+std::size_t pyramid_work(const BlockPlan& plan);
 
 /// Where a row begins in the lattice of a triangle with n steps.
 inline std::ptrdiff_t triangle_row(std::ptrdiff_t n, std::ptrdiff_t j)

@@ -240,13 +240,32 @@ LatticeResampler::LatticeResampler(const Grid& nodes, int order, int diagonal, D
   find_candidates(weights);
 }
 
+std::vector<LatticeResampler::Term> LatticeResampler::terms_of(const std::vector<LatticePoint>& all,
+                                                               const LatticePoint& node,
+                                                               const double* weights) const
+{
+  // Nodes between two layers take nothing from within either of them.
+  const bool between_layers = node[layered_] % order_ == 0;
+  std::vector<Term> terms;
+  for (const LatticePoint& p : all)
+  {
+    const double weight = *weights++;
+    if (std::abs(weight) < rounding || (between_layers && p[layered_] != node[layered_]))
+      continue;
+    const std::ptrdiff_t in_plane =
+        (layered_ == 2 ? p[1] * row_size_ : 0) + p[0] % order_ * run_size_ + p[0] / order_;
+    terms.push_back(
+        {weight, {in_plane + p[layered_] * plane_size_, in_plane + (order_ - p[layered_]) * plane_size_}});
+  }
+  return terms;
+}
+
 void LatticeResampler::find_candidates(const std::vector<std::vector<double>>& weights)
 {
   for (std::size_t remainders = 0; remainders < candidates_.size(); ++remainders)
   {
     const int at = static_cast<int>(remainders);
     const LatticePoint remainder{at % order_, at / order_ % order_, at / order_ / order_};
-    const bool between_layers = remainder[layered_] == 0;
     // Boxes before the node's own one have it only where it lies between them.
     for (int k = remainder[2] == 0 ? -1 : 0; k <= 0; ++k)
       for (int j = remainder[1] == 0 ? -1 : 0; j <= 0; ++j)
@@ -259,21 +278,9 @@ void LatticeResampler::find_candidates(const std::vector<std::vector<double>>& w
             const auto found = std::find(all.begin(), all.end(), local);
             if (found == all.end())
               continue;
-            Candidate candidate{{i, j, k}, q, {}};
             const double* row =
                 weights[q].data() + (found - all.begin()) * static_cast<std::ptrdiff_t>(all.size());
-            // Nodes between two layers take nothing from within either of them.
-            for (std::size_t b = 0; b < all.size(); ++b)
-              if (std::abs(row[b]) > rounding && !(between_layers && all[b][layered_] != local[layered_]))
-              {
-                const LatticePoint& p = all[b];
-                const std::ptrdiff_t in_plane =
-                    (layered_ == 2 ? p[1] * row_size_ : 0) + p[0] % order_ * run_size_ + p[0] / order_;
-                candidate.terms.push_back({row[b],
-                                           {in_plane + p[layered_] * plane_size_,
-                                            in_plane + (order_ - p[layered_]) * plane_size_}});
-              }
-            candidates_[remainders].push_back(std::move(candidate));
+            candidates_[remainders].push_back({{i, j, k}, q, terms_of(all, local, row)});
           }
   }
 }

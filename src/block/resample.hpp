@@ -3,6 +3,7 @@
 #include "block/cells.hpp"
 #include "block/plan.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -48,10 +49,15 @@ private:
     std::size_t kind = 0;
     std::vector<Term> terms;
   };
+
   void find_candidates(const std::vector<std::vector<double>>& weights);
+  /// What a node of a cell takes from all of its nodes, given their weights.
+  std::vector<Term> terms_of(const std::vector<element::LatticePoint>& all, const element::LatticePoint& node,
+                             const double* weights) const;
   /// Place of the first node of a row in the memory of a layer of cells. The planes of even layers are kept
   /// upwards, those of odd ones downwards, so that the plane between two layers stays where it is.
   std::ptrdiff_t row_place(int j, int k) const;
+
   Grid nodes_;
   int order_;
   /// Direction in which layers of cells follow each other that have only the plane between them in common: 2
