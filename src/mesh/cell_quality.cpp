@@ -1,9 +1,12 @@
 #include "mesh/cell_quality.hpp"
 
+#include "core/lanes.hpp"
 #include "element/line.hpp"
+#include "element/table.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -61,19 +64,71 @@ Matrix cofactors(const Matrix& j)
   return {cross(j[1], j[2]), cross(j[2], j[0]), cross(j[0], j[1])};
 }
 
-Matrix evaluate(const element::CellTable& table, int dim, int q, std::span<const double> x)
+using Gradient = ShapeQuality::Gradient;
+
+constexpr int lines = element::largest_order + 1;
+constexpr int most_points = lines * lines * lines + Gradient::batch - 1;
+
+/// Derivatives of the coordinates at many points: entry [d][c][q] of the coordinate c along d at the point q.
+struct Derivatives
 {
-  Matrix j{};
-  if (dim == 2)
-    j[2][2] = 1.0;
+  std::array<std::array<std::array<double, most_points>, 3>, 3> along;
+
+  Matrix at(int dim, int q) const
+  {
+    Matrix j{};
+    if (dim == 2)
+      j[2][2] = 1.0;
+    for (int d = 0; d < dim; ++d)
+      for (int c = 0; c < dim; ++c)
+        j[d][c] = along[d][c][q];
+    return j;
+  }
+};
+
+/// The sums of a batch stay in registers while the nodes pass by.
+template <int dim>
+void evaluate(const Gradient& gradient, std::span<const double> x, Derivatives& result)
+{
+  constexpr int batch = Gradient::batch;
   for (int d = 0; d < dim; ++d)
   {
-    const double* const row = &table.first[d][static_cast<std::size_t>(q) * table.node_count];
-    for (int n = 0; n < table.node_count; ++n)
+    const double* row = gradient.along[d].data();
+    for (int first = 0; first < gradient.point_count; first += batch)
+    {
+      std::array<Lanes, dim> sum{};
+      for (std::size_t n = 0; n < x.size(); n += dim, row += batch)
+      {
+        Lanes slope;
+        std::memcpy(&slope, row, sizeof(Lanes));
+        for (int c = 0; c < dim; ++c)
+          sum[c] += slope * x[n + c];
+      }
       for (int c = 0; c < dim; ++c)
-        j[d][c] += row[n] * x[static_cast<std::size_t>(dim) * n + c];
+        std::memcpy(&result.along[d][c][first], &sum[c], sizeof(Lanes));
+    }
   }
-  return j;
+}
+
+void evaluate(const Gradient& gradient, int dim, std::span<const double> x, Derivatives& result)
+{
+  dim == 2 ? evaluate<2>(gradient, x, result) : evaluate<3>(gradient, x, result);
+}
+
+Gradient gradient_at(Shape shape, int order, std::span<const Point> points)
+{
+  constexpr int batch = Gradient::batch;
+  const element::CellTable table = element::tabulate(shape, order, points);
+  Gradient result;
+  result.point_count = table.point_count;
+  for (int d = 0; d < element::dimension(shape); ++d)
+    for (int first = 0; first < table.point_count; first += batch)
+      for (int n = 0; n < table.node_count; ++n)
+        for (int q = first; q < first + batch; ++q)
+          result.along[d].push_back(q < table.point_count
+                                        ? table.first[d][static_cast<std::size_t>(q) * table.node_count + n]
+                                        : 0.0);
+  return result;
 }
 
 /// Largest eigenvalue of the matrix of the products of columns, by the trigonometric solution of its cubic.
@@ -273,10 +328,10 @@ void place_ideal(ShapeQuality& tables)
 
 ShapeQuality::ShapeQuality(Shape shape_, int order) : shape(shape_), dim(element::dimension(shape_))
 {
-  samples = element::tabulate(shape, order, element::nodes(shape, std::max(order, 4)));
+  samples = gradient_at(shape, order, element::nodes(shape, std::max(order, 4)));
   const std::vector<Point> points =
       dim == 2 ? place_corner_angles(shape, angles) : place_edge_angles(shape, angles);
-  angle_points = element::tabulate(shape, order, points);
+  angle_points = gradient_at(shape, order, points);
   for (std::size_t e = 0; e < element::edges(shape).size(); ++e)
     edges.push_back(element::edge_lattice(shape, order, static_cast<int>(e)));
   const element::Rule rule = element::gauss(order + 2);
@@ -288,32 +343,59 @@ ShapeQuality::ShapeQuality(Shape shape_, int order) : shape(shape_), dim(element
 
 void sample_jacobian(const ShapeQuality& tables, std::span<const double> x, std::span<double> result)
 {
+  Derivatives derivatives;
+  evaluate(tables.samples, tables.dim, x, derivatives);
   for (int q = 0; q < tables.samples.point_count; ++q)
-    result[q] = determinant(evaluate(tables.samples, tables.dim, q, x));
+    result[q] = determinant(derivatives.at(tables.dim, q));
+}
+
+namespace
+{
+
+void measure_angles(const ShapeQuality& tables, std::span<const double> x, Derivatives& derivatives,
+                    CellQuality& quality)
+{
+  evaluate(tables.angle_points, tables.dim, x, derivatives);
+  for (int q = 0; q < tables.angle_points.point_count; ++q)
+  {
+    const double angle = measure_angle(tables, tables.angles[q], derivatives.at(tables.dim, q));
+    quality.smallest_angle = std::min(quality.smallest_angle, angle);
+    quality.largest_angle = std::max(quality.largest_angle, angle);
+  }
+}
+
+}  // namespace
+
+CellQuality measure_shape(const ShapeQuality& tables, std::span<const double> x)
+{
+  CellQuality quality;
+  Derivatives derivatives;
+  evaluate(tables.samples, tables.dim, x, derivatives);
+  for (int q = 0; q < tables.samples.point_count; ++q)
+  {
+    const Matrix j = derivatives.at(tables.dim, q);
+    quality.scaled_jacobian = std::min(quality.scaled_jacobian, scaled_jacobian(tables, j, determinant(j)));
+  }
+  measure_angles(tables, x, derivatives, quality);
+  return quality;
 }
 
 CellQuality measure(const ShapeQuality& tables, std::span<const double> x)
 {
-  CellQuality quality;
+  CellQuality quality = measure_shape(tables, x);
+  Derivatives derivatives;
+  evaluate(tables.samples, tables.dim, x, derivatives);
   double least = std::numeric_limits<double>::infinity();
   double most = -least;
   for (int q = 0; q < tables.samples.point_count; ++q)
   {
-    const Matrix j = evaluate(tables.samples, tables.dim, q, x);
+    const Matrix j = derivatives.at(tables.dim, q);
     const double jacobian = determinant(j);
     least = std::min(least, jacobian);
     most = std::max(most, jacobian);
-    quality.scaled_jacobian = std::min(quality.scaled_jacobian, scaled_jacobian(tables, j, jacobian));
     quality.aspect_ratio = std::max(quality.aspect_ratio, aspect_ratio(tables, j));
   }
   quality.jacobian_ratio = most > 0.0 ? least / most : -1.0;
-  for (int q = 0; q < tables.angle_points.point_count; ++q)
-  {
-    const double angle =
-        measure_angle(tables, tables.angles[q], evaluate(tables.angle_points, tables.dim, q, x));
-    quality.smallest_angle = std::min(quality.smallest_angle, angle);
-    quality.largest_angle = std::max(quality.largest_angle, angle);
-  }
   double shortest = std::numeric_limits<double>::infinity();
   double longest = 0.0;
   for (const ShapeQuality::Edge& edge : tables.edges)

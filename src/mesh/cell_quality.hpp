@@ -1,6 +1,8 @@
 #pragma once
 
-#include "element/table.hpp"
+#include "core/lanes.hpp"
+#include "element/nodes.hpp"
+#include "element/shape.hpp"
 
 #include <array>
 #include <cstdint>
@@ -44,11 +46,19 @@ struct ShapeQuality
   };
   /// An edge: its nodes within the cell.
   using Edge = std::vector<std::int32_t>;
+  /// Derivatives of the Lagrange functions along xi, eta, zeta at some points, shapes (batches of `batch`
+  /// points, node_count, batch); what is left of the last batch is 0.
+  struct Gradient
+  {
+    static constexpr int batch = lane_count;
+    int point_count = 0;
+    std::array<std::vector<double>, 3> along;
+  };
 
   element::Shape shape = element::Shape::quadrilateral;
   int dim = 2;
-  element::CellTable samples;
-  element::CellTable angle_points;
+  Gradient samples;
+  Gradient angle_points;
   std::vector<Angle> angles;  ///< shape (angle_points.point_count)
   std::vector<Edge> edges;
   std::vector<double> edge_weights;   ///< of Gauss points on an edge
@@ -68,6 +78,9 @@ void sample_jacobian(const ShapeQuality& tables, std::span<const double> x, std:
 /// Quality of a cell with nodes x [m], shape (node_count, dim). Coordinates that are not finite give a scaled
 /// Jacobian of -1. Allocates nothing.
 CellQuality measure(const ShapeQuality& tables, std::span<const double> x);
+
+/// The scaled Jacobian and the angles of the same only, in less time; all else as of the ideal cell.
+CellQuality measure_shape(const ShapeQuality& tables, std::span<const double> x);
 
 /// How many of some values lie in each of equal intervals of [low, high]; the first and the last interval
 /// also count what lies beyond, and the last what is no number.

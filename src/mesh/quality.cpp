@@ -119,7 +119,7 @@ std::size_t sample_count(const QualityTables& tables, element::Shape shape)
 /// A cell of any other shape.
 Quality measure_cell(const ShapeQuality& tables, std::span<const double> x, std::span<const double> first)
 {
-  const CellQuality of_cell = measure(tables, x);
+  const CellQuality of_cell = measure_shape(tables, x);
   Quality quality;
   quality.scaled_jacobian = of_cell.scaled_jacobian;
   quality.smallest_angle = of_cell.smallest_angle;
