@@ -4,7 +4,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace blockfsi::linalg
@@ -22,6 +24,16 @@ double minimum(double value);
 bool any(bool condition);
 /// The bytes of every process, in the order of ranks; all give the same number.
 std::vector<std::byte> gather_bytes(std::span<const std::byte> mine);
+/// The same for values of a type that is copied byte by byte.
+template <class T>
+std::vector<T> gather(std::span<const T> mine)
+{
+  static_assert(std::is_trivially_copyable_v<T>);
+  const std::vector<std::byte> bytes = gather_bytes(std::as_bytes(mine));
+  std::vector<T> all(bytes.size() / sizeof(T));
+  std::memcpy(all.data(), bytes.data(), bytes.size());
+  return all;
+}
 /// The value of process 0.
 std::int64_t from_first(std::int64_t value);
 /// Waits until all processes are here.

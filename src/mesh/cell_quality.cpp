@@ -364,27 +364,32 @@ void measure_angles(const ShapeQuality& tables, std::span<const double> x, Deriv
   }
 }
 
-}  // namespace
-
-CellQuality measure_shape(const ShapeQuality& tables, std::span<const double> x)
+/// Leaves the derivatives at the samples.
+CellQuality measure_shape(const ShapeQuality& tables, std::span<const double> x, Derivatives& derivatives)
 {
   CellQuality quality;
-  Derivatives derivatives;
+  measure_angles(tables, x, derivatives, quality);
   evaluate(tables.samples, tables.dim, x, derivatives);
   for (int q = 0; q < tables.samples.point_count; ++q)
   {
     const Matrix j = derivatives.at(tables.dim, q);
     quality.scaled_jacobian = std::min(quality.scaled_jacobian, scaled_jacobian(tables, j, determinant(j)));
   }
-  measure_angles(tables, x, derivatives, quality);
   return quality;
+}
+
+}  // namespace
+
+CellQuality measure_shape(const ShapeQuality& tables, std::span<const double> x)
+{
+  Derivatives derivatives;
+  return measure_shape(tables, x, derivatives);
 }
 
 CellQuality measure(const ShapeQuality& tables, std::span<const double> x)
 {
-  CellQuality quality = measure_shape(tables, x);
   Derivatives derivatives;
-  evaluate(tables.samples, tables.dim, x, derivatives);
+  CellQuality quality = measure_shape(tables, x, derivatives);
   double least = std::numeric_limits<double>::infinity();
   double most = -least;
   for (int q = 0; q < tables.samples.point_count; ++q)

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstring>
 #include <numeric>
 
 namespace blockfsi::run
@@ -13,15 +12,6 @@ namespace blockfsi::run
 
 namespace
 {
-
-template <class T>
-std::vector<T> gather_equal(std::span<const T> mine)
-{
-  const std::vector<std::byte> bytes = linalg::gather_bytes(std::as_bytes(mine));
-  std::vector<T> all(bytes.size() / sizeof(T));
-  std::memcpy(all.data(), bytes.data(), bytes.size());
-  return all;
-}
 
 /// Values of a nodal field cell by cell, shape (cell_count, nodes, components).
 std::vector<double> by_cell(const mesh::Mesh& mesh, std::span<const double> field, int components)
@@ -38,13 +28,14 @@ std::vector<double> by_cell(const mesh::Mesh& mesh, std::span<const double> fiel
 
 std::vector<double> gather_values(std::span<const double> mine)
 {
-  const std::vector<std::size_t> counts = gather_equal(std::span<const std::size_t>(std::array{mine.size()}));
+  const std::vector<std::size_t> counts =
+      linalg::gather(std::span<const std::size_t>(std::array{mine.size()}));
   const std::size_t most = *std::max_element(counts.begin(), counts.end());
   if (most == 0)
     return {};
   std::vector<double> padded(mine.begin(), mine.end());
   padded.resize(most, 0.0);
-  const std::vector<double> all = gather_equal(std::span<const double>(padded));
+  const std::vector<double> all = linalg::gather(std::span<const double>(padded));
   std::vector<double> result;
   for (std::size_t rank = 0; rank < counts.size(); ++rank)
   {

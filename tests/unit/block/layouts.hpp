@@ -28,6 +28,16 @@ inline std::vector<double> place(const Connected& connected, const Skeleton& ske
   return x;
 }
 
+/// A layout without blocks.
+inline Layout empty(int dim, int order)
+{
+  Layout layout;
+  layout.dim = dim;
+  layout.order = order;
+  layout.default_divisions = 2;
+  return layout;
+}
+
 /// An entry for the edge from point a to b, to be filled.
 inline Edge& add_edge(Layout& layout, int a, int b)
 {

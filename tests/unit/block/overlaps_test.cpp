@@ -16,15 +16,6 @@ using Point3 = std::array<double, 3>;
 namespace
 {
 
-Layout empty(int dim, int order)
-{
-  Layout layout;
-  layout.dim = dim;
-  layout.order = order;
-  layout.default_divisions = 2;
-  return layout;
-}
-
 void add_box(Layout& layout, const std::string& name, Point3 from, Point3 to,
              std::array<int, 3> divisions = {1, 1, 1})
 {

@@ -2,6 +2,7 @@
 
 #include "block/merge.hpp"
 #include "core/error.hpp"
+#include "layouts.hpp"
 #include "measure.hpp"
 
 #include <doctest/doctest.h>
@@ -11,19 +12,11 @@
 
 using namespace blockfsi::block;
 namespace element = blockfsi::element;
+using blockfsi::block::testing::empty;
 using std::numbers::pi;
 
 namespace
 {
-
-Layout empty(int dim, int order)
-{
-  Layout layout;
-  layout.dim = dim;
-  layout.order = order;
-  layout.default_divisions = 2;
-  return layout;
-}
 
 template <typename Piece>
 sample::Made made(int dim, int order, const Piece& piece)

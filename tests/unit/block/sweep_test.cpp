@@ -4,6 +4,7 @@
 #include "block/round.hpp"
 #include "block/transform.hpp"
 #include "core/error.hpp"
+#include "layouts.hpp"
 #include "measure.hpp"
 
 #include <doctest/doctest.h>
@@ -13,24 +14,16 @@
 
 using namespace blockfsi::block;
 namespace element = blockfsi::element;
+using blockfsi::block::testing::empty;
 using std::numbers::pi;
 
 namespace
 {
 
-Layout plane(int order)
-{
-  Layout layout;
-  layout.dim = 3;
-  layout.order = order;
-  layout.default_divisions = 2;
-  return layout;
-}
-
 /// A quadrilateral (or, with three points, a triangle) of one block in the xy plane.
 Layout polygon(const std::vector<std::array<double, 2>>& corners, int order)
 {
-  Layout layout = plane(order);
+  Layout layout = empty(3, order);
   Block block;
   block.name = "p block";
   block.region = "solid";
@@ -52,7 +45,7 @@ Layout polygon(const std::vector<std::array<double, 2>>& corners, int order)
 
 TEST_CASE("an extruded disc is a cylinder, whichever way it is drawn")
 {
-  Layout base = plane(6);
+  Layout base = empty(3, 6);
   Disc disc;
   disc.name = "d";
   disc.region = "fluid";
@@ -85,7 +78,7 @@ TEST_CASE("an extruded triangle is a prism")
 
 TEST_CASE("a revolved disc is a torus, with the area and the volume of Pappus")
 {
-  Layout base = plane(6);
+  Layout base = empty(3, 6);
   Disc disc;
   disc.name = "d";
   disc.region = "fluid";
@@ -143,7 +136,7 @@ TEST_CASE("what cannot be swept is refused by name")
 
 TEST_CASE("moved and mirrored pieces keep volume and orientation, and take the new name")
 {
-  Layout base = plane(4);
+  Layout base = empty(3, 4);
   Ball ball;
   ball.name = "b";
   ball.region = "solid";
@@ -168,13 +161,13 @@ TEST_CASE("moved and mirrored pieces keep volume and orientation, and take the n
 
 TEST_CASE("boundaries of a piece give way to others and vanish inside")
 {
-  Layout layout = plane(1);
+  Layout layout = empty(3, 1);
   Box box;
   box.region = "solid";
   box.name = "left";
   box.to = {1, 1, 1};
   add(layout, box);
-  Layout right = plane(1);
+  Layout right = empty(3, 1);
   box.name = "right";
   box.from = {1, 0, 0};
   box.to = {2, 1, 1};

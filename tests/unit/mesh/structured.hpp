@@ -4,7 +4,9 @@
 #include "mesh/mesh.hpp"
 
 #include <array>
+#include <cmath>
 #include <functional>
+#include <numbers>
 #include <vector>
 
 /// A mesh with its coordinates, made without the block layer.
@@ -13,6 +15,13 @@ struct SampleMesh
   blockfsi::mesh::Mesh mesh;
   std::vector<double> x;
 };
+
+/// A map of the unit square to itself that makes waves of its inner lines.
+inline std::array<double, 2> waves(double a, double b)
+{
+  const double wave = 0.06 * std::sin(2.0 * std::numbers::pi * a) * std::sin(2.0 * std::numbers::pi * b);
+  return {a + wave, b - wave};
+}
 
 /// The unit square cut into columns by rows cells, every node moved by `map`; cell (i, j) has number
 /// i + j columns, its row is its block. With `turned`, each cell's own axes are turned by a different number

@@ -7,25 +7,9 @@
 #include <doctest/doctest.h>
 
 #include <array>
-#include <cmath>
-#include <numbers>
 #include <vector>
 
 using namespace blockfsi;
-
-namespace
-{
-
-using Point = std::array<double, 2>;
-
-/// A square whose inner lines are waves.
-Point waves(double a, double b)
-{
-  const double wave = 0.06 * std::sin(2.0 * std::numbers::pi * a) * std::sin(2.0 * std::numbers::pi * b);
-  return {a + wave, b - wave};
-}
-
-}  // namespace
 
 TEST_CASE("cells that gather on a process keep the fields of their mesh")
 {
@@ -36,7 +20,7 @@ TEST_CASE("cells that gather on a process keep the fields of their mesh")
   const run::Gathered gathered = run::gather(sample.mesh, sample.x, field, 2);
   CHECK(gathered.mesh.cell_count() == 6);
   run::Finder finder(gathered.mesh, gathered.x);
-  for (const Point point : {waves(0.1, 0.2), waves(0.77, 0.31), waves(0.5, 0.9)})
+  for (const std::array<double, 2> point : {waves(0.1, 0.2), waves(0.77, 0.31), waves(0.5, 0.9)})
     for (int c = 0; c < 2; ++c)
       CHECK(finder.find(point).value(gathered.mesh, gathered.field, 2, c) ==
             doctest::Approx(run::locate(sample.mesh, sample.x, point)->value(sample.mesh, field, 2, c))

@@ -8,22 +8,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 using namespace blockfsi;
 
 namespace
 {
-
-using Point = std::array<double, 2>;
-
-/// A square whose inner lines are waves.
-Point waves(double a, double b)
-{
-  const double wave = 0.06 * std::sin(2.0 * std::numbers::pi * a) * std::sin(2.0 * std::numbers::pi * b);
-  return {a + wave, b - wave};
-}
 
 double integral(const SampleMesh& of, const std::vector<double>& nodal)
 {
@@ -43,7 +33,7 @@ TEST_CASE("a projection across cells that cut each other keeps integrals better 
   for (const int order : {1, 2, 3, 4})
   {
     const SampleMesh old = structured(order, 6, 6, waves);
-    const SampleMesh next = structured(order, 7, 7, [](double a, double b) { return Point{a, b}; });
+    const SampleMesh next = structured(order, 7, 7, [](double a, double b) { return std::array{a, b}; });
     const linalg::Numbering numbering(next.mesh.lattice, next.mesh.owner);
     fem::Projection projection(next.mesh, numbering, next.x, std::min(order + 6, fem::max_line));
     run::Finder finder(old.mesh, old.x);

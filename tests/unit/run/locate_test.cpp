@@ -24,13 +24,6 @@ Point ring(double a, double b)
   return {(1.0 + a) * std::cos(angle), (1.0 + a) * std::sin(angle)};
 }
 
-/// A square whose inner lines are waves.
-Point waves(double a, double b)
-{
-  const double wave = 0.06 * std::sin(2.0 * std::numbers::pi * a) * std::sin(2.0 * std::numbers::pi * b);
-  return {a + wave, b - wave};
-}
-
 /// Where a point (a, b) of a cell's unit square is.
 Point place(const SampleMesh& sample, std::size_t cell, double a, double b)
 {
