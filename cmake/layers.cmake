@@ -34,7 +34,7 @@ set(needs_case PkgConfig::TOMLPLUSPLUS)
 # The same node of different shares is computed in loops that are compiled differently: fused products and sums would
 # round it differently.
 file(GLOB kernels CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/block/kernel*.cpp
-  ${PROJECT_SOURCE_DIR}/src/block/resample.cpp)
+  ${PROJECT_SOURCE_DIR}/src/block/resample.cpp ${PROJECT_SOURCE_DIR}/src/block/triangle_nodes.cpp)
 set_source_files_properties(${kernels} PROPERTIES COMPILE_OPTIONS -ffp-contract=off)
 
 # What a layer includes but does not call: the parameters of solvers are headers, so that cases are read without.

@@ -56,6 +56,13 @@ struct LoadPart
   }
 };
 
+/// Copies the points of a line from its last to its first.
+inline void reverse_points(const double* from, std::ptrdiff_t count, int dim, double* to)
+{
+  for (std::ptrdiff_t i = 0; i < count; ++i)
+    std::copy_n(from + dim * (count - 1 - i), dim, to + dim * i);
+}
+
 /// Writes numbers one after the other: value(load, t, m) gives the components t to t + 8 of a row (dim for
 /// each node) by reading with `load`; m is their place in Repeated.
 template <int dim, typename Value>
@@ -134,6 +141,9 @@ public:
       for (std::ptrdiff_t i = 0; i < length; ++i)
         std::fill_n(buffer_[0] + dim * i, dim, plan.lines[0][i]);
   }
+
+  /// Coordinates of the lines of the first direction, shape (steps + 1, dim); null where there are none.
+  const double* first_line() const { return alike ? buffer_[0] : nullptr; }
 
   RowCoordinates<alike> next(const BlockPlan::Row& row)
   {

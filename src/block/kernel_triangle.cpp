@@ -1,8 +1,11 @@
 #include "block/kernel.hpp"
 
 #include "block/kernel_row.hpp"
+#include "block/triangle_nodes.hpp"
+#include "element/nodes.hpp"
 
 #include <cstddef>
+#include <utility>
 
 namespace blockfsi::block
 {
@@ -10,55 +13,177 @@ namespace blockfsi::block
 namespace
 {
 
-/// Copies the points of a line from its last to its first.
-void reverse_points(const double* from, std::ptrdiff_t count, int dim, double* to)
+/// Nodes after which rows take the edges alike again: 1 where the edges have nodes for all.
+std::ptrdiff_t period(const BlockPlan& plan)
 {
-  for (std::ptrdiff_t i = 0; i < count; ++i)
-    std::copy_n(from + dim * (count - 1 - i), dim, to + dim * i);
+  return plan.triangle_nodes ? plan.triangle_nodes->order() : 1;
 }
+
+/// What the rows with one remainder of their number by the period take along the edges of a triangle, shapes
+/// (n + 1, dim): at u and, counted from where their boxes begin, at u + v.
+struct AlongEdges
+{
+  const double* first01 = nullptr;
+  const double* sum01 = nullptr;
+  const double* sum02 = nullptr;
+  const double* rest21 = nullptr;
+  const double* u = nullptr;  ///< graded coordinate, repeated for each component; null if not of lines
+
+  /// The same from where a row begins in numbers, with boxes that begin at `box` across.
+  AlongEdges from(std::ptrdiff_t begin, std::ptrdiff_t box) const
+  {
+    return {first01 + begin, sum01 + begin + box, sum02 + begin + box, rest21 + begin,
+            u == nullptr ? nullptr : u + begin};
+  }
+};
+
+/// A point of an edge and a corner, repeated.
+template <int dim>
+Repeated<dim> sum(const double* point, const std::array<double, dim>& corner)
+{
+  std::array<double, dim> x = corner;
+  for (int c = 0; c < dim; ++c)
+    x[c] += point[c];
+  return repeated<dim>(x.data());
+}
+
+/// `AlongEdges` for each remainder.
+template <int dim>
+class TriangleEdges
+{
+public:
+  ///   u: graded coordinate of the lines, shape (n + 1, dim), or null;  memory, shape (size)
+  TriangleEdges(const BlockPlan& plan, const BoundaryData<dim>& at, const double* u, double* memory)
+      : nodes_(plan.triangle_nodes.get()), n_(plan.grid.steps[0]), memory_(memory)
+  {
+    double* e21 = next();
+    reverse_points(at.side[1], n_ + 1, dim, e21);
+    rows_[0] = {at.side[0], at.side[0], at.side[2], e21, u};
+    for (std::ptrdiff_t row = 1; row < period(plan); ++row)
+    {
+      const auto along = [&](Coordinate coordinate, const double* edge)
+      {
+        double* to = next();
+        nodes_->along_row<dim>(coordinate, row, edge, n_, to);
+        return to;
+      };
+      rows_[row] = {along(Coordinate::u, at.side[0]), along(Coordinate::sum, at.side[0]),
+                    along(Coordinate::sum, at.side[2]), along(Coordinate::u, e21),
+                    u == nullptr ? nullptr : along(Coordinate::u, u)};
+    }
+  }
+
+  const AlongEdges& row(std::ptrdiff_t remainder) const { return rows_[remainder]; }
+
+  static std::size_t size(const BlockPlan& plan)
+  {
+    return static_cast<std::size_t>(dim * (plan.grid.steps[0] + 1) * (5 * period(plan) - 4));
+  }
+
+private:
+  using Coordinate = TriangleNodes::Coordinate;
+
+  double* next() { return std::exchange(memory_, memory_ + dim * (n_ + 1)); }
+
+  const TriangleNodes* nodes_;
+  std::ptrdiff_t n_;
+  double* memory_;
+  std::array<AlongEdges, element::largest_order> rows_;
+};
+
+/// What an edge gives across a row of nodes: one point of it, or as many as a box has nodes, again and again.
+template <int dim>
+class AcrossEdge
+{
+public:
+  ///   memory, shape (size)
+  AcrossEdge(const BlockPlan& plan, double* memory)
+      : nodes_(plan.triangle_nodes.get()), count_(dim * period(plan)), points_(memory)
+  {
+  }
+
+  static std::size_t size(const BlockPlan& plan) { return dim * period(plan) + lane_count; }
+
+  /// Sets the points of a row that is not the first in its boxes.
+  ///   edge: nodes from where the boxes begin
+  void set(const BlockPlan::Row& row, const double* edge, const std::array<double, dim>& added)
+  {
+    nodes_->across<dim>(row.j % nodes_->order(), edge, points_);
+    for (std::ptrdiff_t i = 0; i < count_; ++i)
+      points_[i] += added[i % dim];
+    for (std::ptrdiff_t i = 0; i < lane_count; ++i)
+      points_[count_ + i] = points_[i % count_];
+    begin_ = dim * row.begin;
+  }
+
+  template <typename Loader>
+  Lanes get(Loader load, std::ptrdiff_t t) const
+  {
+    return load(points_ + static_cast<std::uint32_t>(begin_ + t) % static_cast<std::uint32_t>(count_));
+  }
+
+private:
+  const TriangleNodes* nodes_;
+  std::ptrdiff_t count_;
+  std::ptrdiff_t begin_ = 0;
+  double* points_;
+};
 
 }  // namespace
 
 /// The straight triangle and the parallel form sum_i w_i (E_ij(w_j) + E_ik(w_k)) of the differences E along
-/// its edges (0, 1), (1, 2), (0, 2); at node (i, j) the three are taken at i and i + j, j and n - i, j and i
-/// + j.
+/// its edges (0, 1), (1, 2), (0, 2), which takes the three at u and u + v, v and 1 - u, v and u + v.
 template <int dim>
 void place_triangle(const BlockPlan& plan, std::span<const BlockPlan::Row> rows, const BoundaryData<dim>& at,
                     double* x)
 {
-  const std::ptrdiff_t n = plan.grid.steps[0];
-  const auto place = [&](auto coordinates, double* e21)
+  const auto place = [&](auto coordinates, double* work)
   {
     constexpr bool alike = decltype(coordinates)::are_alike;
-    const double* e01 = at.side[0];
-    const double* e12 = at.side[1];
-    const double* e02 = at.side[2];
-    reverse_points(e12, n + 1, dim, e21);
-    std::array<Repeated<dim>, 3> corner;
-    for (std::size_t k = 0; k < 3; ++k)
-      corner[k] = repeated<dim>(at.corner[k].data());
+    const std::ptrdiff_t box_size = period(plan);
+    const TriangleEdges<dim> edges(plan, at, coordinates.first_line(), work);
+    work += TriangleEdges<dim>::size(plan);
+    const std::ptrdiff_t size = AcrossEdge<dim>::size(plan);
+    AcrossEdge<dim> across0(plan, work);
+    AcrossEdge<dim> across1(plan, work + size);
+    AcrossEdge<dim> across_line(plan, work + 2 * size);
+    const Repeated<dim> corner2 = repeated<dim>(at.corner[2].data());
     for (const BlockPlan::Row& row : rows)
     {
       const RowCoordinates<alike> r = coordinates.next(row);
-      const std::ptrdiff_t j = static_cast<std::ptrdiff_t>(dim) * row.j;
+      const std::ptrdiff_t in_box = row.j % box_size;
+      const std::ptrdiff_t box = static_cast<std::ptrdiff_t>(dim) * (row.j - in_box);
       const std::ptrdiff_t begin = static_cast<std::ptrdiff_t>(dim) * row.begin;
-      Repeated<dim> along0 = repeated<dim>(e02 + j);
-      Repeated<dim> along1 = repeated<dim>(e12 + j);
-      for (int m = 0; m < dim; ++m)
+      const AlongEdges along = edges.row(in_box).from(begin, box);
+      const auto blend = [&](auto load, std::ptrdiff_t t, int m, const Lanes& u, const auto& v,
+                             const Lanes& point0, const Lanes& point1) -> Lanes
       {
-        along0[m] += corner[0][m];
-        along1[m] += corner[1][m];
+        return (1.0 - v - u) * (load(along.first01 + t) + point0) + u * (load(along.sum01 + t) + point1) +
+               v * (load(along.sum02 + t) + load(along.rest21 + t) + corner2[m]);
+      };
+      if (in_box == 0)
+      {
+        const Repeated<dim> point0 = sum<dim>(at.side[2] + box, at.corner[0]);
+        const Repeated<dim> point1 = sum<dim>(at.side[1] + box, at.corner[1]);
+        write_row<dim>(at, row, x,
+                       [&](auto load, std::ptrdiff_t t, int m) {
+                         return blend(load, t, m, r.template get<0>(load, t), r.template get<1>(load, t),
+                                      point0[m], point1[m]);
+                       });
+        continue;
       }
-      const double* first01 = e01 + begin;
-      const double* sum01 = e01 + begin + j;
-      const double* sum02 = e02 + begin + j;
-      const double* rest21 = e21 + begin;
+      across0.set(row, at.side[2] + box, at.corner[0]);
+      across1.set(row, at.side[1] + box, at.corner[1]);
+      if constexpr (alike)
+        across_line.set(row, coordinates.first_line() + box, {});
       const auto value = [&](auto load, std::ptrdiff_t t, int m) -> Lanes
       {
-        const Lanes u = r.template get<0>(load, t);
-        const auto v = r.template get<1>(load, t);
-        return (1.0 - v - u) * (load(first01 + t) + along0[m]) + u * (load(sum01 + t) + along1[m]) +
-               v * (load(sum02 + t) + load(rest21 + t) + corner[2][m]);
+        const Lanes point0 = across0.get(load, t);
+        const Lanes point1 = across1.get(load, t);
+        if constexpr (alike)
+          return blend(load, t, m, load(along.u + t), across_line.get(load, t), point0, point1);
+        else
+          return blend(load, t, m, r.template get<0>(load, t), r.template get<1>(load, t), point0, point1);
       };
       write_row<dim>(at, row, x, value);
     }
@@ -71,162 +196,10 @@ template void place_triangle<2>(const BlockPlan&, std::span<const BlockPlan::Row
 template void place_triangle<3>(const BlockPlan&, std::span<const BlockPlan::Row>, const BoundaryData<3>&,
                                 double*);
 
-namespace
+std::size_t triangle_work(const BlockPlan& plan, int dim)
 {
-
-constexpr int dim = 3;
-
-/// Sides of a prism.
-enum PrismSide
-{
-  bottom,
-  front,
-  right,
-  left,
-  top
-};
-
-/// The upright sides of a prism at a level, along (0, 1), (0, 2) and (2, 1), less the upright edges: what the
-/// parallel form takes there. Each has n + 1 points.
-struct Level
-{
-  Level(double* memory, std::ptrdiff_t n)
-      : e01(memory), e02(memory + dim * (n + 1)), e21(memory + 2 * dim * (n + 1)), last(dim * n)
-  {
-  }
-
-  static std::size_t size(std::ptrdiff_t n) { return 3 * dim * (static_cast<std::size_t>(n) + 1); }
-
-  /// Reads level k. The upright edges 0, 1 and 2 enter with the weights w_0, w_1, w_2 once, not twice.
-  void read(const BoundaryData<3>& at, std::ptrdiff_t n, std::ptrdiff_t k) const
-  {
-    const std::ptrdiff_t offset = dim * (n + 1) * k;
-    std::copy_n(at.side[front] + offset, dim * (n + 1), e01);
-    std::copy_n(at.side[left] + offset, dim * (n + 1), e02);
-    reverse_points(at.side[right] + offset, n + 1, dim, e21);
-  }
-
-  void subtract(const Level& other, double factor = 1.0) const
-  {
-    for (std::ptrdiff_t t = 0; t < 3 * (last + dim); ++t)
-      e01[t] -= factor * other.e01[t];
-  }
-
-  double* e01;
-  double* e02;
-  double* e21;
-  std::ptrdiff_t last;  ///< where the last point is
-};
-
-/// The parallel form along one row of a level; its corners may have something added.
-struct LevelRow
-{
-  LevelRow(const Level& level, const std::array<Repeated<dim>, 3>& added, std::ptrdiff_t i, std::ptrdiff_t j)
-      : first01(level.e01 + i), sum01(level.e01 + i + j), sum02(level.e02 + i + j), rest21(level.e21 + i)
-  {
-    const double* e12 = level.e21 + level.last - j;
-    std::array<std::array<double, dim>, 3> sums;
-    for (int c = 0; c < dim; ++c)
-    {
-      sums[0][c] = level.e02[j + c] - level.e01[c];
-      sums[1][c] = e12[c] - level.e21[level.last + c];
-      sums[2][c] = -level.e21[c];
-    }
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      fixed[k] = repeated<dim>(sums[k].data());
-      for (int m = 0; m < dim; ++m)
-        fixed[k][m] += added[k][m];
-    }
-  }
-
-  template <typename Loader, typename U, typename V>
-  Lanes blend(Loader load, std::ptrdiff_t t, int m, const U& u, const V& v) const
-  {
-    return (1.0 - v - u) * (load(first01 + t) + fixed[0][m]) + u * (load(sum01 + t) + fixed[1][m]) +
-           v * (load(sum02 + t) + load(rest21 + t) + fixed[2][m]);
-  }
-
-  const double* first01;
-  const double* sum01;
-  const double* sum02;
-  const double* rest21;
-  std::array<Repeated<dim>, 3> fixed;
-};
-
-}  // namespace
-
-/// P(w, z) + (1 - z) (F_0 - P(w, 0)) + z (F_1 - P(w, 1)) with the parallel form P over the upright sides:
-/// P(w, z) - P(w, 0) is formed first, and P(w, 1) - P(w, 0) is what z takes of it. Where z is that of the
-/// level, P takes all but the two faces once for the level.
-void place_prism(const BlockPlan& plan, std::span<const BlockPlan::Row> rows, const BoundaryData<3>& at,
-                 double* x)
-{
-  const std::ptrdiff_t n = plan.grid.steps[0];
-  const auto place = [&](auto coordinates, double* work)
-  {
-    constexpr bool alike = decltype(coordinates)::are_alike;
-    const Level low(work, n);
-    const Level high(work + Level::size(n), n);
-    const Level level(work + 2 * Level::size(n), n);
-    low.read(at, n, 0);
-    high.read(at, n, plan.grid.steps[2]);
-    high.subtract(low);
-    std::array<Repeated<dim>, 6> corner;
-    for (std::size_t k = 0; k < 6; ++k)
-      corner[k] = repeated<dim>(at.corner[k].data());
-    std::array<Repeated<dim>, 3> at_height{};  // upright edges of the straight prism at the level
-    int of_level = -1;
-    for (const BlockPlan::Row& row : rows)
-    {
-      const RowCoordinates<alike> r = coordinates.next(row);
-      if (row.k != of_level)
-      {
-        of_level = row.k;
-        level.read(at, n, row.k);
-        level.subtract(low);
-        if constexpr (alike)
-        {
-          const double z = r.fixed[2];
-          level.subtract(high, z);
-          for (std::size_t k = 0; k < 3; ++k)
-            for (int m = 0; m < dim; ++m)
-              at_height[k][m] = (1.0 - z) * corner[k][m] + z * corner[k + 3][m];
-        }
-      }
-      const std::ptrdiff_t i = static_cast<std::ptrdiff_t>(dim) * row.begin;
-      const std::ptrdiff_t j = static_cast<std::ptrdiff_t>(dim) * row.j;
-      const LevelRow at_level(level, at_height, i, j);
-      const LevelRow rise(high, at_height, i, j);
-      const double* face_low = at.side[bottom] + dim * triangle_row(n, row.j) + i;
-      const double* face_high = at.side[top] + dim * triangle_row(n, row.j) + i;
-      const auto value = [&](auto load, std::ptrdiff_t t, int m) -> Lanes
-      {
-        const Lanes u = r.template get<0>(load, t);
-        const auto v = r.template get<1>(load, t);
-        const auto z = r.template get<2>(load, t);
-        const Lanes faces = (1.0 - z) * load(face_low + t) + z * load(face_high + t);
-        if constexpr (alike)
-          return at_level.blend(load, t, m, u, v) + faces;
-        const Lanes w = 1.0 - v - u;
-        return at_level.blend(load, t, m, u, v) - z * rise.blend(load, t, m, u, v) + faces +
-               (1.0 - z) * (w * corner[0][m] + u * corner[1][m] + v * corner[2][m]) +
-               z * (w * corner[3][m] + u * corner[4][m] + v * corner[5][m]);
-      };
-      write_row<dim>(at, row, x, value);
-    }
-  };
-  with_coordinates<dim>(plan, at.work, place);
-}
-
-std::size_t triangle_work(const BlockPlan& plan, int dimension)
-{
-  return static_cast<std::size_t>(dimension) * (static_cast<std::size_t>(plan.grid.steps[0]) + 1);
-}
-
-std::size_t prism_work(const BlockPlan& plan)
-{
-  return 3 * Level::size(plan.grid.steps[0]);
+  return dim == 2 ? TriangleEdges<2>::size(plan) + 3 * AcrossEdge<2>::size(plan)
+                  : TriangleEdges<3>::size(plan) + 3 * AcrossEdge<3>::size(plan);
 }
 
 }  // namespace blockfsi::block

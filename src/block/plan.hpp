@@ -11,6 +11,7 @@ namespace blockfsi::block
 {
 
 class Resampling;
+class TriangleNodes;
 
 /// Where the nodes within one block, or within one face, sit.
 struct BlockPlan
@@ -28,7 +29,10 @@ struct BlockPlan
   /// Of shapes with triangles: graded coordinates of the nodes of each side in its own directions, shape
   /// (size of the side, dimension of the side).
   std::vector<std::vector<double>> side_reference;
-  /// Of shapes with triangles at orders above 2: their maps are evaluated at equal steps within each cell.
+  /// Of triangles at orders above 2: where their nodes take the edges.
+  std::shared_ptr<const TriangleNodes> triangle_nodes;
+  /// Of solid shapes with triangles at orders above 2: their maps are evaluated at equal steps within each
+  /// cell.
   std::shared_ptr<const Resampling> resampling;
 
   /// Consecutive inner nodes of a row that are placed: (begin, j, k) .. (end - 1, j, k).

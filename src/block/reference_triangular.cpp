@@ -5,6 +5,7 @@
 #include "block/kernel.hpp"
 #include "block/numbering.hpp"
 #include "block/resample.hpp"
+#include "block/triangle_nodes.hpp"
 #include "element/table.hpp"
 
 #include <Eigen/LU>
@@ -151,13 +152,14 @@ std::vector<double> triangle_corners(const Lines& edges)
 class Refinement
 {
 public:
-  Refinement(const Grid& nodes, int order, int diagonal)
-      : corners_(Grid{nodes.shape, {nodes.steps[0] / order, nodes.steps[1] / order, nodes.steps[2] / order}}),
-        cells_(corners_, order, diagonal), coarse_(corners_, 1, diagonal)
+  Refinement(const Grid& nodes, element::Lattice cell, int diagonal)
+      : corners_(
+            Grid{nodes.shape,
+                 {nodes.steps[0] / cell.order, nodes.steps[1] / cell.order, nodes.steps[2] / cell.order}}),
+        cells_(corners_, cell.order, diagonal), coarse_(corners_, 1, diagonal)
   {
     for (const CellKind& kind : cells_.kinds())
-      weights_.push_back(element::resample(kind.shape, {1, element::NodeKind::equispaced},
-                                           {order, element::NodeKind::equispaced}));
+      weights_.push_back(element::resample(kind.shape, {1, element::NodeKind::equispaced}, cell));
   }
 
   /// Appends the coordinates of a node, given those of all corners of cells, shape (lattice, dimension).
@@ -193,7 +195,7 @@ std::vector<double> triangle_nodes(const Lines& edges, int order)
   const Grid nodes{Shape::triangle, {n, n, 0}};
   const std::vector<double> corners =
       triangle_corners({every(edges[0], order), every(edges[1], order), every(edges[2], order)});
-  const Refinement refinement(nodes, order, 0);
+  const Refinement refinement(nodes, {order, element::NodeKind::equispaced}, 0);
   std::vector<double> result;
   for (int j = 0; j <= n; ++j)
     for (int i = 0; i + j <= n; ++i)
@@ -381,22 +383,30 @@ void set_triangular(const Lines& given, int order, int diagonal, BlockPlan& plan
 {
   const Shape shape = plan.grid.shape;
   const bool is_prism = shape == Shape::prism;
-  Lines edges;
-  for (std::size_t e = 0; e < given.size(); ++e)
-    edges.push_back(is_prism && e >= 6 ? given[e] : with_equal_steps(given[e], order));
+  const element::Lattice cell{order, shape == Shape::triangle ? element::NodeKind::warped
+                                                              : element::NodeKind::equispaced};
+  Lines edges = given;
+  if (cell.kind == element::NodeKind::equispaced)
+    for (std::size_t e = 0; e < (is_prism ? 6 : edges.size()); ++e)
+      edges[e] = with_equal_steps(edges[e], order);
   const auto sides = element::sides(shape);
   for (const element::SideShape& side : sides)
     plan.side_reference.push_back(side_nodes(
         side.shape == Shape::segment ? Lines{between(shape, edges, side.corners[0], side.corners[1])}
                                      : side_lines(shape, edges, side),
         side.shape, order));
-  if (order > 2)
+  if (order > 2 && shape == Shape::triangle)
+    plan.triangle_nodes = std::make_shared<const TriangleNodes>(order);
+  else if (order > 2)
     plan.resampling = std::make_shared<const Resampling>(plan.grid, order, diagonal, plan.rows);
   const std::span<const BlockPlan::Row> rows =
       plan.resampling ? plan.resampling->lattice_rows() : std::span<const BlockPlan::Row>(plan.rows);
 
-  const auto coupled_end = edges.begin() + (is_prism ? 6 : static_cast<std::ptrdiff_t>(edges.size()));
-  if (std::all_of(edges.begin(), coupled_end, has_equal_steps) &&
+  Lines corner_lines;
+  for (const Line& edge : edges)
+    corner_lines.push_back(every(edge, order));
+  const auto coupled_end = corner_lines.begin() + (is_prism ? 6 : static_cast<std::ptrdiff_t>(edges.size()));
+  if (std::all_of(corner_lines.begin(), coupled_end, has_equal_steps) &&
       (!is_prism || (edges[6] == edges[7] && edges[6] == edges[8])))
   {
     plan.lines[0] = edges[0];
@@ -406,14 +416,11 @@ void set_triangular(const Lines& given, int order, int diagonal, BlockPlan& plan
   }
   if (is_prism)
     return set_prism_reference(edges, rows, plan);
-  Lines corner_lines;
-  for (const Line& edge : edges)
-    corner_lines.push_back(every(edge, order));
   const Grid corners{shape,
                      {plan.grid.steps[0] / order, plan.grid.steps[1] / order, plan.grid.steps[2] / order}};
   const std::vector<double> points =
       shape == Shape::triangle ? triangle_corners(corner_lines) : solid_corners(corners, corner_lines);
-  const Refinement refinement(plan.grid, order, diagonal);
+  const Refinement refinement(plan.grid, cell, diagonal);
   for (const BlockPlan::Row& row : rows)
     for (int i = row.begin; i < row.end; ++i)
       refinement.add({i, row.j, row.k}, points, plan.reference);

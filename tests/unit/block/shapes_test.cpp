@@ -308,6 +308,30 @@ TEST_CASE("the maps reproduce polynomials to the degrees of the formulation and 
     }
 }
 
+TEST_CASE("nodes of triangles sit where the parallel form has their warped coordinates, at any order")
+{
+  // Edges bent by a polynomial of the order of the cells, less at its ends, so that cells carry it exactly.
+  for (int order = 1; order <= element::largest_order; ++order)
+  {
+    CAPTURE(order);
+    const Single block(Shape::triangle, order, equal_edges(Shape::triangle, 3));
+    const auto bend = [order](int edge, double t)
+    { return order == 1 ? 0.0 : (edge + 1) * t * (1.0 - t) * std::pow(t + 0.3, order - 2); };
+    const auto form = [&bend](double u, double v)
+    {
+      const double w = 1.0 - u - v;
+      return w * (bend(0, u) + bend(2, v)) + u * (bend(0, u + v) + bend(1, v)) +
+             v * (bend(2, u + v) + bend(1, 1.0 - u));
+    };
+    std::vector<double> data;
+    for (const auto& x : reference_nodes(block.plan.grid, order))
+      data.insert(data.end(), {x[0], x[1], form(x[0], x[1])});
+    const std::vector<double> found = block.blend(data);
+    for (std::size_t i = 0; i < data.size(); ++i)
+      CHECK(std::abs(found[i] - data[i]) < 1e-13);
+  }
+}
+
 TEST_CASE("graded blocks with straight edges stay straight: the graded coordinates are a fixed point")
 {
   std::mt19937 random(5);
