@@ -251,69 +251,81 @@ std::vector<double> side_difference(const Grid& corners, int side, const std::ve
   return result;
 }
 
-/// Corners of the cells of a tetrahedron or a pyramid: all points of the lattice, shape (lattice, 3).
-std::vector<double> solid_corners(const Grid& grid, const Lines& edges)
+/// Corners of the cells of a tetrahedron or a pyramid: all points of the lattice, at the fixed point of the
+/// blend. With all corners of the block at 0 the kernels give what the blend adds to equal steps, for given
+/// weights.
+class SolidCorners
 {
-  const Shape shape = grid.shape;
-  BlockPlan plan;
-  plan.grid = grid;
-  plan.rows = inner_rows(grid);
-  std::vector<double> points;
-  for (const BlockPlan::Row& row : all_rows(grid))
-    for (int i = row.begin; i < row.end; ++i)
-      for (const int coordinate : {i, row.j, row.k})
-        points.push_back(static_cast<double>(coordinate) / grid.steps[0]);
-  const std::vector<double> uniform = points;
-
-  BoundaryData<3> boundary;
-  std::vector<std::vector<double>> differences;
-  const auto sides = element::sides(shape);
-  for (std::size_t side = 0; side < sides.size(); ++side)
+public:
+  SolidCorners(const Grid& grid, const Lines& edges)
   {
-    const Lines lines = side_lines(shape, edges, sides[side]);
-    differences.push_back(side_difference(grid, static_cast<int>(side),
-                                          sides[side].shape == Shape::triangle ? triangle_corners(lines)
-                                                                               : quadrilateral_nodes(lines)));
-  }
-  for (std::size_t side = 0; side < sides.size(); ++side)
-  {
-    boundary.side[side] = differences[side].data();
-    const Grid on = side_grid(grid, static_cast<int>(side));
-    const SideFrame frame = side_frame(grid, static_cast<int>(side));
-    const double* difference = differences[side].data();
-    for (int t = 0; t < row_count(on, 0); ++t)
-      for (int s = 0; s < row_length(on, t, 0); ++s)
-      {
-        const std::int64_t at = index(grid, frame.at(s, t));
-        for (int d = 0; d < 3; ++d)
-          points[3 * at + d] = uniform[3 * at + d] + *difference++;
-      }
+    plan_.grid = grid;
+    plan_.rows = inner_rows(grid);
+    for (const BlockPlan::Row& row : all_rows(grid))
+      for (int i = row.begin; i < row.end; ++i)
+        for (const int coordinate : {i, row.j, row.k})
+          uniform_.push_back(static_cast<double>(coordinate) / grid.steps[0]);
+    points_ = uniform_;
+    set_sides(edges);
+    work_.resize(kernel_work(plan_, 3));
+    boundary_.work = work_.data();
+    if (grid.shape == Shape::tetrahedron)
+      solve_tetrahedron();
+    else
+      solve_pyramid();
   }
 
-  std::vector<double> work(kernel_work(plan, 3));
-  boundary.work = work.data();
+  /// Shape (lattice, 3).
+  const std::vector<double>& points() const { return points_; }
 
-  // With all corners at 0 the kernels give what the blend adds to equal steps, for given weights.
-  const auto for_each_inner = [&](const auto& visit)
+private:
+  void set_sides(const Lines& edges)
   {
-    for (const BlockPlan::Row& row : plan.rows)
+    const Grid& grid = plan_.grid;
+    const auto sides = element::sides(grid.shape);
+    for (std::size_t side = 0; side < sides.size(); ++side)
+    {
+      const Lines lines = side_lines(grid.shape, edges, sides[side]);
+      differences_[side] = side_difference(grid, static_cast<int>(side),
+                                           sides[side].shape == Shape::triangle ? triangle_corners(lines)
+                                                                                : quadrilateral_nodes(lines));
+      boundary_.side[side] = differences_[side].data();
+      const Grid on = side_grid(grid, static_cast<int>(side));
+      const SideFrame frame = side_frame(grid, static_cast<int>(side));
+      const double* difference = differences_[side].data();
+      for (int t = 0; t < row_count(on, 0); ++t)
+        for (int s = 0; s < row_length(on, t, 0); ++s)
+        {
+          const std::int64_t at = index(grid, frame.at(s, t));
+          for (int d = 0; d < 3; ++d)
+            points_[3 * at + d] = uniform_[3 * at + d] + *difference++;
+        }
+    }
+  }
+
+  template <typename Visit>
+  void for_each_inner(const Visit& visit) const
+  {
+    for (const BlockPlan::Row& row : plan_.rows)
       for (int i = 0; i < row.end - row.begin; ++i)
         visit(3 * (static_cast<std::size_t>(row.node) + i));
-  };
-  if (shape == Shape::tetrahedron)
+  }
+
+  /// The blend is linear in the weights: one system per point.
+  void solve_tetrahedron()
   {
     std::array<std::vector<double>, 4> sums;
     for (int corner = 0; corner < 4; ++corner)
     {
-      plan.reference.clear();
+      plan_.reference.clear();
       for_each_inner(
           [&](std::size_t)
           {
             for (int d = 0; d < 3; ++d)
-              plan.reference.push_back(corner == d + 1 ? 1.0 : 0.0);
+              plan_.reference.push_back(corner == d + 1 ? 1.0 : 0.0);
           });
-      sums[corner].resize(points.size());
-      place_tetrahedron(plan, plan.rows, boundary, sums[corner].data());
+      sums[corner].resize(points_.size());
+      place_tetrahedron(plan_, plan_.rows, boundary_, sums[corner].data());
     }
     for_each_inner(
         [&](std::size_t at)
@@ -321,39 +333,48 @@ std::vector<double> solid_corners(const Grid& grid, const Lines& edges)
           std::array<std::array<double, 3>, 4> T{};
           for (int corner = 0; corner < 4; ++corner)
             for (int d = 0; d < 3; ++d)
-              T[corner][d] = uniform[at + d] + sums[corner][at + d];
-          const auto r = fixed_point<3>(T, {uniform[at], uniform[at + 1], uniform[at + 2]});
-          std::copy(r.begin(), r.end(), points.begin() + static_cast<std::ptrdiff_t>(at));
+              T[corner][d] = uniform_[at + d] + sums[corner][at + d];
+          const auto r = fixed_point<3>(T, {uniform_[at], uniform_[at + 1], uniform_[at + 2]});
+          std::copy(r.begin(), r.end(), points_.begin() + static_cast<std::ptrdiff_t>(at));
         });
-    return points;
   }
-  std::vector<double> added(points.size(), 0.0);
-  for (int sweep = 0; sweep < 100; ++sweep)
+
+  void solve_pyramid()
   {
-    plan.reference.clear();
-    for_each_inner(
-        [&](std::size_t at)
-        {
-          plan.reference.insert(plan.reference.end(), points.begin() + static_cast<std::ptrdiff_t>(at),
-                                points.begin() + static_cast<std::ptrdiff_t>(at) + 3);
-        });
-    place_pyramid(plan, plan.rows, boundary, added.data());
-    double change = 0.0;
-    for_each_inner(
-        [&](std::size_t at)
-        {
-          for (int d = 0; d < 3; ++d)
+    std::vector<double> added(points_.size(), 0.0);
+    for (int sweep = 0; sweep < 100; ++sweep)
+    {
+      plan_.reference.clear();
+      for_each_inner(
+          [&](std::size_t at)
           {
-            const double next = uniform[at + d] + added[at + d];
-            change = std::max(change, std::abs(next - points[at + d]));
-            points[at + d] = next;
-          }
-        });
-    if (change < 1e-15)
-      break;
+            plan_.reference.insert(plan_.reference.end(), points_.begin() + static_cast<std::ptrdiff_t>(at),
+                                   points_.begin() + static_cast<std::ptrdiff_t>(at) + 3);
+          });
+      place_pyramid(plan_, plan_.rows, boundary_, added.data());
+      double change = 0.0;
+      for_each_inner(
+          [&](std::size_t at)
+          {
+            for (std::size_t n = at; n < at + 3; ++n)
+            {
+              const double next = uniform_[n] + added[n];
+              change = std::max(change, std::abs(next - points_[n]));
+              points_[n] = next;
+            }
+          });
+      if (change < 1e-15)
+        break;
+    }
   }
-  return points;
-}
+
+  BlockPlan plan_;
+  std::vector<double> uniform_;
+  std::vector<double> points_;
+  std::array<std::vector<double>, 6> differences_;
+  BoundaryData<3> boundary_;
+  std::vector<double> work_;
+};
 
 /// (1 - z) low + z high of the triangles' coordinates, with the height z = sum_i w_i z_i of the upright
 /// edges.
@@ -418,8 +439,8 @@ void set_triangular(const Lines& given, int order, int diagonal, BlockPlan& plan
     return set_prism_reference(edges, rows, plan);
   const Grid corners{shape,
                      {plan.grid.steps[0] / order, plan.grid.steps[1] / order, plan.grid.steps[2] / order}};
-  const std::vector<double> points =
-      shape == Shape::triangle ? triangle_corners(corner_lines) : solid_corners(corners, corner_lines);
+  const std::vector<double> points = shape == Shape::triangle ? triangle_corners(corner_lines)
+                                                              : SolidCorners(corners, corner_lines).points();
   const Refinement refinement(plan.grid, cell, diagonal);
   for (const BlockPlan::Row& row : rows)
     for (int i = row.begin; i < row.end; ++i)
