@@ -15,6 +15,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -99,51 +100,94 @@ Exit verify(const Arguments& arguments)
   return blockfsi::run::all_ok(comparisons) ? Exit::done : Exit::missed;
 }
 
+CLI::App* add_run(CLI::App& app, Arguments& arguments)
+{
+  CLI::App* command = app.add_subcommand("run", "run a case");
+  blockfsi::add_case(*command, arguments.of);
+  command->add_option("--directory", arguments.directory, "folder of the results");
+  command->add_flag("--restart", arguments.restart, "continue from the newest checkpoint");
+  return command;
+}
+
+CLI::App* add_compare(CLI::App& app, Arguments& arguments)
+{
+  CLI::App* command =
+      app.add_subcommand("compare", "run a case with several ways of moving its mesh, side by side");
+  blockfsi::add_case(*command, arguments.of);
+  command
+      ->add_option("--motion", arguments.motions,
+                   "names with commas between: keys of [motion], NAMEs of [compare.NAME], fixed, incremental")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command->add_option("--directory", arguments.directory, "folder of the results");
+  command->add_option("--times", arguments.times, "times at which to draw the meshes, with commas between")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command->add_flag("--prescribed", arguments.prescribed,
+                    "without a fluid: bend the flap of section [prescribed]");
+  return command;
+}
+
+CLI::App* add_check(CLI::App& app, Arguments& arguments)
+{
+  CLI::App* command = app.add_subcommand("check", "find the mistakes of a case without solving");
+  blockfsi::add_case(*command, arguments.of);
+  return command;
+}
+
+CLI::App* add_mesh(CLI::App& app, Arguments& arguments)
+{
+  CLI::App* command = app.add_subcommand("mesh", "make the mesh of a case and report its quality");
+  blockfsi::add_case(*command, arguments.of);
+  blockfsi::add_mesh_options(*command, arguments.mesh);
+  return command;
+}
+
+CLI::App* add_verify(CLI::App& app, Arguments& arguments)
+{
+  CLI::App* command =
+      app.add_subcommand("verify", "run a case and compare it with the reference.csv beside it");
+  blockfsi::add_case(*command, arguments.of);
+  command->add_option("--directory", arguments.directory, "folder of the results");
+  command->add_option("--level", arguments.level, "references of the full or the short form")
+      ->check(CLI::IsMember({"full", "short"}));
+  command->add_flag("--finished", arguments.finished, "take the results that are there instead of running");
+  return command;
+}
+
+/// A command that reads a case.
+struct Command
+{
+  CLI::App* parser;
+  Exit (*execute)(const Arguments& arguments);
+};
+
+Exit execute(const Command& command, const Arguments& arguments)
+{
+  const blockfsi::linalg::Session session;
+  try
+  {
+    return command.execute(arguments);
+  }
+  catch (const std::exception& error)
+  {
+    blockfsi::run::end_unless_all_failed(error);
+    if (blockfsi::linalg::part().rank == 0)
+      fmt::print(stderr, "{}\n", blockfsi::run::message_of(error));
+    return blockfsi::run::exit_of(error);
+  }
+}
+
 Exit dispatch(int count, char** values)
 {
   CLI::App app("blockfsi: fluid-structure interaction with the mesh generator inside the solver");
   app.require_subcommand(1);
   Arguments arguments;
-
-  CLI::App* run_command = app.add_subcommand("run", "run a case");
-  blockfsi::add_case(*run_command, arguments.of);
-  run_command->add_option("--directory", arguments.directory, "folder of the results");
-  run_command->add_flag("--restart", arguments.restart, "continue from the newest checkpoint");
-
-  CLI::App* compare_command =
-      app.add_subcommand("compare", "run a case with several ways of moving its mesh, side by side");
-  blockfsi::add_case(*compare_command, arguments.of);
-  compare_command
-      ->add_option("--motion", arguments.motions,
-                   "names with commas between: keys of [motion], NAMEs of [compare.NAME], fixed, incremental")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  compare_command->add_option("--directory", arguments.directory, "folder of the results");
-  compare_command
-      ->add_option("--times", arguments.times, "times at which to draw the meshes, with commas between")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  compare_command->add_flag("--prescribed", arguments.prescribed,
-                            "without a fluid: bend the flap of section [prescribed]");
-
-  CLI::App* check_command = app.add_subcommand("check", "find the mistakes of a case without solving");
-  blockfsi::add_case(*check_command, arguments.of);
-
-  CLI::App* mesh_command = app.add_subcommand("mesh", "make the mesh of a case and report its quality");
-  blockfsi::add_case(*mesh_command, arguments.of);
-  blockfsi::add_mesh_options(*mesh_command, arguments.mesh);
-
-  CLI::App* verify_command =
-      app.add_subcommand("verify", "run a case and compare it with the reference.csv beside it");
-  blockfsi::add_case(*verify_command, arguments.of);
-  verify_command->add_option("--directory", arguments.directory, "folder of the results");
-  verify_command->add_option("--level", arguments.level, "references of the full or the short form")
-      ->check(CLI::IsMember({"full", "short"}));
-  verify_command->add_flag("--finished", arguments.finished,
-                           "take the results that are there instead of running");
-
-  CLI::App* describe_command = app.add_subcommand("describe", "explain every key of a case file");
-
+  const std::array commands{
+      Command{add_run(app, arguments), run}, Command{add_compare(app, arguments), compare},
+      Command{add_check(app, arguments), check}, Command{add_mesh(app, arguments), mesh},
+      Command{add_verify(app, arguments), verify}};
+  app.add_subcommand("describe", "explain every key of a case file");
   try
   {
     app.parse(count, values);
@@ -153,29 +197,11 @@ Exit dispatch(int count, char** values)
     // CLI11 prints help or the mistake and tells which it was.
     return app.exit(error) == 0 ? Exit::done : Exit::user_error;
   }
-  if (*describe_command)
-  {
-    fmt::print("{}", blockfsi::case_file::describe());
-    return Exit::done;
-  }
-  const blockfsi::linalg::Session session;
-  try
-  {
-    if (*run_command)
-      return run(arguments);
-    if (*verify_command)
-      return verify(arguments);
-    if (*compare_command)
-      return compare(arguments);
-    return *check_command ? check(arguments) : mesh(arguments);
-  }
-  catch (const std::exception& error)
-  {
-    blockfsi::run::end_unless_all_failed(error);
-    if (blockfsi::linalg::part().rank == 0)
-      fmt::print(stderr, "{}\n", blockfsi::run::message_of(error));
-    return blockfsi::run::exit_of(error);
-  }
+  for (const Command& command : commands)
+    if (*command.parser)
+      return execute(command, arguments);
+  fmt::print("{}", blockfsi::case_file::describe());
+  return Exit::done;
 }
 
 }  // namespace
