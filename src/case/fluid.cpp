@@ -45,6 +45,10 @@ const Keys<Parameters>& fluid_keys()
         "stabilisation against flow coming in through traction and outflow boundaries; 0 where flow shall "
         "enter there, as from a prescribed pressure"},
        [](const Value& v, Reading& r, Parameters& p) { p.backflow = number(v, r.constants, not_negative); }},
+      {{"stabilisation_time", "number", "the step", "s",
+        "what stands for the step in the stabilisation; fix it to compare results of different steps"},
+       [](const Value& v, Reading& r, Parameters& p)
+       { p.stabilisation_time = number(v, r.constants, positive); }},
       {{"newton", "table", "see below", "", "Newton's method"},
        [](const Value& v, Reading& r, Parameters& p) { read_keys(v, newton_keys(), r, p.newton); }}};
   return keys;

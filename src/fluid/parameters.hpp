@@ -63,6 +63,9 @@ struct Parameters
   std::array<Expression, 3> body_force;        ///< per mass [m/s^2]
   std::array<Expression, 3> initial_velocity;  ///< [m/s]
   double backflow = 0.5;  ///< beta of the backflow stabilisation on Traction and Outflow [-]
+  /// What stands for the step in tau_M of the stabilisation [s]; 0: the step itself. A fixed time makes the
+  /// equations in space those of every step, so that results converge with the order of the time scheme.
+  double stabilisation_time = 0.0;
   std::vector<BoundaryCondition> boundaries;
   Newton newton;
 };

@@ -67,11 +67,12 @@ struct Solver::Problem
   {
     const Parameters& parameters = solver.parameters_;
     const bool steady = step.step == 0.0;
+    const double fixed = parameters.stabilisation_time;
     const int order = solver.mesh_->order;
     return {.density = parameters.density,
             .viscosity = parameters.viscosity,
             .rate = steady ? 0.0 : 1.0 / (step.theta * step.step),
-            .step_frequency = steady ? 0.0 : 2.0 / step.step,
+            .step_frequency = steady ? 0.0 : 2.0 / (fixed > 0.0 ? fixed : step.step),
             .order = order,
             .inverse_constant = inverse_constant(order)};
   }

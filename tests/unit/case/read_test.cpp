@@ -136,6 +136,7 @@ TEST_CASE("every key reaches its parameter")
   CHECK(read.fluid->body_force[1](0, 0, 0, 1.0) == -9.81);
   CHECK(read.fluid->initial_velocity[0](0.0, 2.0) == 1.0);
   CHECK(read.fluid->backflow == 0.4);
+  CHECK(read.fluid->stabilisation_time == 5e-3);
   CHECK(read.fluid->newton.tolerance == 1e-9);
   CHECK(read.fluid->newton.iterations == 12);
   CHECK(std::get<fluid::Outflow>(read.fluid->boundaries.at(1).condition).pressure(0.0) == 1.0);
