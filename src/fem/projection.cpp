@@ -131,6 +131,27 @@ linalg::Status Projection::scalars(std::span<const double> given, int components
   return linalg::Status::ok;
 }
 
+void Projection::add_outflow(const Velocity& at_boundary, std::span<double> residual)
+{
+  const std::vector<double> z(residual.size(), 0.0);
+  SideLoop sides(cells_.mesh(), cells_.table().points);
+  for (const auto& [name, of_boundary] : cells_.mesh().boundaries)
+    sides.add_residual(Outflow{&at_boundary}, of_boundary, x_, z, {}, residual);
+}
+
+std::vector<double> Projection::boundary_points()
+{
+  std::vector<double> result;
+  const Velocity note = [&result](const std::array<double, 2>& x)
+  {
+    result.insert(result.end(), x.begin(), x.end());
+    return std::array{0.0, 0.0};
+  };
+  std::vector<double> unused(3 * cells_.mesh().node_count());
+  add_outflow(note, unused);
+  return result;
+}
+
 linalg::Status Projection::velocity(std::span<const double> given, const Velocity& at_boundary,
                                     std::span<const std::uint8_t> fixed, std::span<double> u)
 {
@@ -139,9 +160,7 @@ linalg::Status Projection::velocity(std::span<const double> given, const Velocit
     if (fixed[3 * (i / 2) + i % 2] != 0)
       z[3 * (i / 2) + i % 2] = u[i];
   std::vector<double> outflow(z.size(), 0.0);
-  SideLoop sides(cells_.mesh(), cells_.table().points);
-  for (const auto& [name, of_boundary] : cells_.mesh().boundaries)
-    sides.add_residual(Outflow{&at_boundary}, of_boundary, x_, z, {}, outflow);
+  add_outflow(at_boundary, outflow);
   const linalg::Status status =
       Linear<NearestWithDivergence>(cells_, *numbering_, x_, fixed).solve(given, outflow, z);
   for (std::size_t i = 0; i < u.size(); ++i)

@@ -39,6 +39,9 @@ public:
   /// A velocity at a place [m/s].
   using Velocity = std::function<std::array<double, 2>(const std::array<double, 2>& x)>;
 
+  /// Where `velocity` asks for the velocity at the boundary [m], shape (points, 2).
+  std::vector<double> boundary_points();
+
   /// A velocity that keeps its divergence as well, in the weak sense: (u_h, s) with
   ///
   ///   (v, u_h - u) - (div v, s) = 0,
@@ -55,6 +58,8 @@ public:
                                         std::span<const std::uint8_t> fixed, std::span<double> u);
 
 private:
+  void add_outflow(const Velocity& at_boundary, std::span<double> residual);
+
   const linalg::Numbering* numbering_;
   std::vector<double> x_;
   CellLoop cells_;

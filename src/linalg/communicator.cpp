@@ -65,6 +65,13 @@ double minimum(double value)
   return reduce(value, MPI_MIN);
 }
 
+void minimum(std::span<double> values)
+{
+  if (!alone())
+    MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MIN,
+                  MPI_COMM_WORLD);
+}
+
 bool any(bool condition)
 {
   return maximum(condition ? 1.0 : 0.0) > 0.5;
@@ -85,6 +92,16 @@ std::int64_t from_first(std::int64_t value)
   if (!alone())
     MPI_Bcast(&value, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
   return value;
+}
+
+void from_process(int rank, std::vector<double>& values)
+{
+  if (alone())
+    return;
+  auto count = static_cast<std::int64_t>(values.size());
+  MPI_Bcast(&count, 1, MPI_INT64_T, rank, MPI_COMM_WORLD);
+  values.resize(static_cast<std::size_t>(count));
+  MPI_Bcast(values.data(), static_cast<int>(count), MPI_DOUBLE, rank, MPI_COMM_WORLD);
 }
 
 void barrier()

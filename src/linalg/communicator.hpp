@@ -20,6 +20,8 @@ void sum(std::span<double> values);
 std::int64_t sum(std::int64_t value);
 double maximum(double value);
 double minimum(double value);
+/// Minimum over all processes, entry by entry, in place.
+void minimum(std::span<double> values);
 /// Whether the condition holds on any process.
 bool any(bool condition);
 /// The bytes of every process, in the order of ranks; all give the same number.
@@ -36,6 +38,8 @@ std::vector<T> gather(std::span<const T> mine)
 }
 /// The value of process 0.
 std::int64_t from_first(std::int64_t value);
+/// The values of one process, of any number, on each.
+void from_process(int rank, std::vector<double>& values);
 /// Waits until all processes are here.
 void barrier();
 /// Waits at most so long [s] until all processes have called this; false if some did not come. For the end of

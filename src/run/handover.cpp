@@ -4,13 +4,14 @@
 #include "fem/projection.hpp"
 #include "linalg/communicator.hpp"
 #include "run/gathered.hpp"
-#include "run/locate.hpp"
+#include "run/shared_field.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <utility>
 
@@ -85,8 +86,6 @@ enum Component : std::uint8_t
   component_count = 6
 };
 
-using Fields = std::array<double, component_count>;
-
 /// All nodal fields of a state, shape (node_count, component_count).
 Values side_by_side(const fluid::State& state)
 {
@@ -97,40 +96,18 @@ Values side_by_side(const fluid::State& state)
   return result;
 }
 
-/// A flow, all of it on every process, at any place.
-class OldFlow
-{
-public:
-  explicit OldFlow(const FluidSide& fluid)
-      : gathered_(gather(fluid.mesh(), fluid.x(), side_by_side(fluid.state()), component_count)),
-        finder_(gathered_.mesh, gathered_.x)
-  {
-  }
-  OldFlow(const OldFlow&) = delete;
-  OldFlow& operator=(const OldFlow&) = delete;
-
-  Fields at(const std::array<double, 2>& x)
-  {
-    const Located place = finder_.find(x);
-    const auto nodes = gathered_.mesh.cell(place.cell);
-    Fields result{};
-    for (std::size_t a = 0; a < nodes.size(); ++a)
-      for (std::size_t c = 0; c < component_count; ++c)
-        result[c] += place.shape[a] * gathered_.field[nodes[a] * component_count + c];
-    return result;
-  }
-
-private:
-  Gathered gathered_;
-  Finder finder_;
-};
-
 /// The velocity prescribed at boundaries, else 0, shape (node_count, 2).
 ///   first_x: where formulas are evaluated, x: where the nodes are [m], both of that shape.
 Values boundary_velocity(const fluid::Conditions& conditions, std::span<const double> first_x,
-                         std::span<const double> x, double time, OldFlow& old)
+                         std::span<const double> x, double time, SharedField& old)
 {
   using Kind = fluid::Prescribed::Kind;
+  Values interface_x;
+  for (const fluid::Prescribed& entry : conditions.prescribed)
+    if (entry.kind == Kind::interface)
+      interface_x.insert(interface_x.end(), {x[2 * entry.node], x[2 * entry.node + 1]});
+  const Values at_interface = old.at(interface_x);
+  const double* next = at_interface.data();
   Values u(x.size(), 0.0);
   for (const fluid::Prescribed& entry : conditions.prescribed)
   {
@@ -139,10 +116,28 @@ Values boundary_velocity(const fluid::Conditions& conditions, std::span<const do
     if (entry.kind == Kind::expression)
       value = entry.value(first_x[i], first_x[i + 1], 0.0, time);
     else if (entry.kind == Kind::interface)
-      value = old.at({x[i], x[i + 1]})[velocity + entry.component];
+      value = std::exchange(next, next + component_count)[velocity + entry.component];
   }
   return u;
 }
+
+/// A velocity known at points, there alone.
+class AtPoints
+{
+public:
+  AtPoints(std::span<const double> points, std::span<const double> values)
+  {
+    for (std::size_t k = 0; 2 * k < points.size(); ++k)
+    {
+      const double* at = values.data() + component_count * k;
+      velocity_[{points[2 * k], points[2 * k + 1]}] = {at[velocity], at[velocity + 1]};
+    }
+  }
+  std::array<double, 2> operator()(const std::array<double, 2>& x) const { return velocity_.at(x); }
+
+private:
+  std::map<std::array<double, 2>, std::array<double, 2>> velocity_;
+};
 
 /// Components of values of shape (count, stride), from `first` on.
 Values components(std::span<const double> values, std::size_t stride, std::size_t first, std::size_t count)
@@ -261,20 +256,10 @@ bool Handover::project(const FluidSide& from, const FluidSide& to, output::Array
 {
   const mesh::Mesh& mesh = to.mesh();
   fem::Projection projection(mesh, to.numbering(), to.x(), std::min(mesh.order + more_points, fem::max_line));
-  OldFlow old(from);
-  Values fields;
-  const Values& points = projection.quadrature().x;
-  for (std::size_t i = 0; i < points.size(); i += 2)
-  {
-    const Fields at = old.at({points[i], points[i + 1]});
-    fields.insert(fields.end(), at.begin(), at.end());
-  }
-
-  const auto u_at = [&old](const std::array<double, 2>& x)
-  {
-    const Fields at = old.at(x);
-    return std::array{at[velocity], at[velocity + 1]};
-  };
+  SharedField old(from.mesh(), from.x(), side_by_side(from.state()), component_count);
+  const Values fields = old.at(projection.quadrature().x);
+  const Values boundary = projection.boundary_points();
+  const AtPoints u_at(boundary, old.at(boundary));
   std::vector<std::uint8_t> fixed = fluid::fixed_unknowns(conditions_, mesh);
   fem::agree(to.numbering(), fixed, 3);
   Values u = boundary_velocity(conditions_, first_x_, to.x(), from.state().time, old);

@@ -134,6 +134,8 @@ Finder::Finder(const mesh::Mesh& mesh, std::span<const double> x)
       whole_.high[c] = std::max(whole_.high[c], box.high[c]);
     }
   }
+  if (boxes_.empty())
+    return;
   // About four bins for each cell, as square as may be.
   const double width = whole_.high[0] - whole_.low[0];
   const double height = whole_.high[1] - whole_.low[1];
@@ -152,15 +154,22 @@ Finder::Finder(const mesh::Mesh& mesh, std::span<const double> x)
 
 Located Finder::find(const std::array<double, 2>& point)
 {
+  std::optional<Located> found = find_near(point);
+  return found ? *std::move(found) : nearest_node(point);
+}
+
+std::optional<Located> Finder::find_near(const std::array<double, 2>& point)
+{
+  if (boxes_.empty())
+    return std::nullopt;
   std::optional<Located> found;
   if (holds(boxes_[last_], point))
     found = invert(*mesh_, x_, last_, point, nodes_, well_inside);
   if (!found)
     found = among_near(point);
-  if (!found)
-    return nearest_node(point);
-  last_ = found->cell;
-  return *std::move(found);
+  if (found)
+    last_ = found->cell;
+  return found;
 }
 
 std::size_t Finder::bin(const std::array<double, 2>& point) const
@@ -194,8 +203,8 @@ std::optional<Located> Finder::among_near(const std::array<double, 2>& point) co
 
 Located Finder::nearest_node(const std::array<double, 2>& point) const
 {
-  Located best;
   double least = std::numeric_limits<double>::infinity();
+  Located best{0, {}, least};
   for (std::size_t cell = 0; cell < mesh_->cell_count(); ++cell)
   {
     const auto nodes = mesh_->cell(cell);
@@ -205,7 +214,7 @@ Located Finder::nearest_node(const std::array<double, 2>& point) const
       if (distance >= least)
         continue;
       least = distance;
-      best = {cell, std::vector<double>(nodes.size(), 0.0), std::numeric_limits<double>::infinity()};
+      best = {cell, std::vector<double>(nodes.size(), 0.0), distance};
       best.shape[a] = 1.0;
     }
   }

@@ -52,11 +52,15 @@ public:
   /// beside the mesh the functions of the nearest cell go on, up to a tenth of the cell; farther away the
   /// nearest node answers.
   Located find(const std::array<double, 2>& point);
+  /// The same, but nothing if it is farther away from all cells.
+  std::optional<Located> find_near(const std::array<double, 2>& point);
+  /// The nearest node; `outside` is its distance [m]. Takes time with each cell.
+  /// Infinitely far away in an empty mesh.
+  Located nearest_node(const std::array<double, 2>& point) const;
 
 private:
   std::size_t bin(const std::array<double, 2>& point) const;
   std::optional<Located> among_near(const std::array<double, 2>& point) const;
-  Located nearest_node(const std::array<double, 2>& point) const;
 
   const mesh::Mesh* mesh_;
   std::vector<double> x_;
