@@ -290,7 +290,7 @@ Connected connect(const Layout& layout, const Skeleton& skeleton, std::string_vi
   const bool identity = region.empty() && part.size == 1;
   if (!identity)
     name_nodes(skeleton, cells, shares, local, part, mesh);
-  write_cells(layout, skeleton, cells, shares, !identity, mesh);
+  write_cells(layout, skeleton, cells, shares, part.size > 1, mesh);
   for (const Block& block : layout.blocks)
   {
     mesh.block_names.push_back(block.name);

@@ -83,10 +83,10 @@ struct Connected
 /// layout), so that the cuts are short in long domains, the cells of a block with u fastest; each process
 /// takes a contiguous run of these cells, all runs equally long to one. Cells of one shape are numbered in
 /// this order, one shape after the other. Takes memory and time for the own cells and for the skeleton only.
-/// A single process that makes all blocks (region empty) has the numbers of the lattice as its own: then
-/// `lattice`, `owner` and `cell_number` of the mesh are empty. Boundaries of the mesh: the named ones of the
-/// layout that touch the region, and "interface" for sides between this region and another if there are any;
-/// the same names on every process. Throws Error if no block has this region.
+/// For a single process `owner` and `cell_number` of the mesh are empty, and if it makes all blocks (region
+/// empty) it has the numbers of the lattice as its own, so `lattice` is empty, too. Boundaries of the mesh:
+/// the named ones of the layout that touch the region, and "interface" for sides between this region and
+/// another if there are any; the same names on every process. Throws Error if no block has this region.
 Connected connect(const Layout& layout, const Skeleton& skeleton, std::string_view region, Part part);
 
 /// The sides (indices into the edges in 2D, the faces in 3D) between two regions, ascending.

@@ -240,14 +240,19 @@ void name_nodes(const Skeleton& skeleton, const RegionCells& cells, const std::v
                 const LocalSkeleton& local, Part part, mesh::Mesh& mesh)
 {
   mesh.lattice.resize(local.node_count);
-  mesh.owner.assign(local.node_count, 0);
-  const std::vector<std::int64_t> lowest =
-      part.size > 1 ? cells.lowest_cells() : std::vector<std::int64_t>(skeleton.count, 0);
+  const bool shared = part.size > 1;
+  std::vector<std::int64_t> lowest;
+  if (shared)
+  {
+    mesh.owner.resize(local.node_count);
+    lowest = cells.lowest_cells();
+  }
   for (std::int64_t number = 0; number < skeleton.count; ++number)
-    if (local.node[number] >= 0)
+    if (const std::int32_t node = local.node[number]; node >= 0)
     {
-      mesh.lattice[local.node[number]] = number;
-      mesh.owner[local.node[number]] = cells.rank_of_cell(lowest[number], part.size);
+      mesh.lattice[node] = number;
+      if (shared)
+        mesh.owner[node] = cells.rank_of_cell(lowest[number], part.size);
     }
   for (const BlockShare& share : shares)
   {
@@ -258,10 +263,11 @@ void name_nodes(const Skeleton& skeleton, const RegionCells& cells, const std::v
         const LatticePoint point{i, row.j, row.k};
         const std::int32_t node = row.node + i - row.begin;
         mesh.lattice[node] = lattice.number(point);
-        mesh.owner[node] = share.whole ? part.rank
-                                       : cells.rank_of_cell(cells.first_cell(share.block) +
-                                                                cells.cells(share.block).lowest_cell(point),
-                                                            part.size);
+        if (shared)
+          mesh.owner[node] = share.whole ? part.rank
+                                         : cells.rank_of_cell(cells.first_cell(share.block) +
+                                                                  cells.cells(share.block).lowest_cell(point),
+                                                              part.size);
       }
   }
 }

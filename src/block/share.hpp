@@ -53,7 +53,8 @@ void add_counts(const BlockCells& cells, std::int64_t begin, std::int64_t end,
 LocalSkeleton number_nodes(const Skeleton& skeleton, const RegionCells& cells,
                            std::vector<BlockShare>& shares);
 
-/// Enters the numbers of the own nodes in the lattice of all blocks, and their owners.
+/// Enters the numbers of the own nodes in the lattice of all blocks, and their owners if there are several
+/// processes.
 void name_nodes(const Skeleton& skeleton, const RegionCells& cells, const std::vector<BlockShare>& shares,
                 const LocalSkeleton& local, Part part, mesh::Mesh& mesh);
 

@@ -17,7 +17,7 @@ Interface::Interface(std::span<const std::int64_t> numbers, const mesh::Mesh& me
       continue;
     const auto node = static_cast<std::int32_t>(found - mesh.lattice.begin());
     local_.push_back({node, static_cast<std::int32_t>(index)});
-    if (mesh.owner[node] == rank)
+    if (mesh.owner_of(node) == rank)
       owned_.push_back(local_.back());
   }
 }

@@ -99,7 +99,7 @@ std::vector<std::uint8_t> fixed_unknowns(const Conditions& conditions, const mes
   for (const Prescribed& entry : conditions.prescribed)
     fixed[3 * entry.node + entry.component] = 1;
   // Only the process with the first cell knows; the caller makes the marks agree.
-  if (conditions.enclosed && !mesh.cell_number.empty() && mesh.cell_number.front() == 0)
+  if (conditions.enclosed && mesh.cell_count() > 0 && mesh.number_of_cell(0) == 0)
     fixed[3 * mesh.cell(0)[0] + 2] = 1;
   return fixed;
 }

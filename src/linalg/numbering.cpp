@@ -16,7 +16,7 @@ Numbering::Numbering(std::span<const std::int64_t> lattice, std::span<const std:
 {
   const Part me = part();
   for (std::size_t node = 0; node < lattice.size(); ++node)
-    if (owner[node] == me.rank)
+    if ((owner.empty() ? 0 : owner[node]) == me.rank)
       owned_.push_back(static_cast<std::int32_t>(node));
   std::int64_t first = 0;
   const std::int64_t count = owned_count();

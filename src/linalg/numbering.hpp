@@ -14,7 +14,7 @@ class Numbering
 public:
   Numbering() = default;
   /// `lattice`: a number for each local node that means the same node on every process, ascending;
-  /// `owner`: the process that owns each. All processes must call this together.
+  /// `owner`: the process that owns each; empty: process 0 all. All processes must call this together.
   Numbering(std::span<const std::int64_t> lattice, std::span<const std::int32_t> owner);
 
   std::size_t node_count() const { return global_.size(); }

@@ -94,6 +94,7 @@ struct Mesh
   {
     return cell_number.empty() ? static_cast<std::int64_t>(c) : cell_number[c];
   }
+  int owner_of(std::int32_t node) const { return owner.empty() ? 0 : owner[node]; }
   /// Whether all cells are of this shape; true for a mesh without cells.
   bool is_all(element::Shape shape) const
   {

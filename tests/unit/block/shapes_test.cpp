@@ -419,7 +419,7 @@ TEST_CASE("the shares of 1, 2, 3, 5 and 7 processes add up to the whole mesh for
           for (std::size_t n = 0; n < part.mesh.node_count(); ++n)
           {
             const auto number = static_cast<std::size_t>(part.mesh.lattice[n]);
-            if (part.mesh.owner[n] == rank)
+            if (part.mesh.owner_of(static_cast<std::int32_t>(n)) == rank)
               CHECK(owned.insert(part.mesh.lattice[n]).second);
             for (int c = 0; c < layout.dim; ++c)
               CHECK(x[layout.dim * n + c] == expected[layout.dim * number + c]);
