@@ -176,8 +176,11 @@ bool Simulation::substep(const fem::TimeStep& step, StepReport& report)
 bool Simulation::couple(const fem::TimeStep& step, StepReport& report)
 {
   std::vector<double> d(interface_points_.size());
-  const int known = step.step == history_step_ ? history_count_ : 0;
-  coupling::predict(std::min(case_.coupling.predictor, known), history_[0], history_[1], history_[2], d);
+  // An interface that stood still for the first step of another length would push hard at the fluid.
+  const double ratio = history_count_ > 0 ? step.step / history_step_ : 1.0;
+  const int known = ratio == 1.0 ? history_count_ : 1;
+  coupling::predict(std::min(case_.coupling.predictor, known), ratio, history_[0], history_[1], history_[2],
+                    d);
   const coupling::Limits limits{case_.coupling.tolerance, case_.coupling.iterations, 0.0};
   const coupling::Report coupled =
       coupling::solve_partitioned([&](std::span<const double> input, std::span<double> answer)

@@ -28,15 +28,17 @@ TEST_CASE("predictors of order k are exact for polynomials of degree k, order 2 
 {
   const Vector linear[] = {{3.0, -1.0}, {2.0, -3.0}, {1.0, -5.0}};  // newest first
   Vector out(2);
-  predict(0, linear[0], {}, {}, out);
+  predict(0, 1.0, linear[0], {}, {}, out);
   CHECK(out == linear[0]);
-  predict(1, linear[0], linear[1], {}, out);
+  predict(1, 1.0, linear[0], linear[1], {}, out);
   CHECK(out == Vector{4.0, 1.0});
-  predict(2, linear[0], linear[1], linear[2], out);
+  predict(1, 0.5, linear[0], linear[1], {}, out);
+  CHECK(out == Vector{3.5, 0.0});
+  predict(2, 1.0, linear[0], linear[1], linear[2], out);
   CHECK(out == Vector{4.0, 1.0});
   // 5/2 t_0^2 - 2 t_1^2 + 1/2 t_2^2 for t = 3, 2, 1 is 15, where linear extrapolation has 14 and t = 4
   // gives 16.
-  predict(2, Vector{9.0}, Vector{4.0}, Vector{1.0}, std::span(out).first(1));
+  predict(2, 1.0, Vector{9.0}, Vector{4.0}, Vector{1.0}, std::span(out).first(1));
   CHECK(out[0] == 15.0);
 }
 
@@ -149,7 +151,7 @@ TEST_CASE("over a series of steps quasi-Newton with reuse needs few evaluations,
     {
       const double t = 0.05 * step;
       problem.set_load({std::sin(3 * t), std::cos(2 * t), std::sin(t), 0.3 * std::sin(7 * t)});
-      predict(std::min(step - 1, 2), d_1, d_2, d_3, d);
+      predict(std::min(step - 1, 2), 1.0, d_1, d_2, d_3, d);
       const Report report = solve_partitioned(problem, acceleration, {.tolerance = 1e-6}, d, d_1);
       CHECK(report.status == Status::converged);
       sum += step > 5 ? report.iterations : 0;
