@@ -152,12 +152,12 @@ class Failure(RunTest):
 
     def test_a_step_whose_mesh_folds_is_cut_and_the_run_goes_on(self):
         soft = "solid.model.saint_venant_kirchhoff={young=2e3, poisson=0.35}"
-        strong = (soft, "let.U=20", "time.step=0.04", "time.end=0.2")
+        strong = (soft, "let.U=22", "time.step=0.05", "time.end=0.2")
         output = self.call(*self.words(*strong)).stdout
         self.assertRegex(output, r"(?m)^step \d was done in \d pieces: the fluid mesh folds over in step \d")
         table = read_table(self.folder / "results/quality.csv")
-        self.assertEqual(table["step"], [*range(1, 6)])
-        self.assertEqual(table["certified"], [1] * 5)
+        self.assertEqual(table["step"], [*range(1, 5)])
+        self.assertEqual(table["certified"], [1] * 4)
         self.assertAlmostEqual(table["time"][-1], 0.2)
         for step, pieces in zip(table["step"], table["pieces"], strict=True):
             self.assertEqual(f"step {step:g} was done in {pieces:g} pieces" in output, pieces > 1)
