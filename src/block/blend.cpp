@@ -105,11 +105,10 @@ void place_rows(const BlockPlan& plan, std::span<const BlockPlan::Row> rows, con
 }
 
 /// Hands each row that a kernel has written on to be resampled.
-template <int dim>
 struct Listener
 {
   const double* x;
-  ResampledRows<dim>* rows;
+  ResampledRows* rows;
 
   static void take(void* self, const BlockPlan::Row& row)
   {
@@ -122,6 +121,17 @@ struct Listener
 std::size_t row_size(const BlockPlan& plan, int dim)
 {
   return static_cast<std::size_t>(dim) * (static_cast<std::size_t>(plan.grid.steps[0]) + 1);
+}
+
+/// Places a solid block at equal steps in each cell and takes its rows to warped nodes.
+void place_resampled(const BlockPlan& plan, BoundaryData<3> boundary, double* x)
+{
+  double* row = boundary.work + kernel_work(plan, 3);
+  ResampledRows rows(plan.resampling->inside(), plan.rows, row + row_size(plan, 3), x);
+  Listener listener{row, &rows};
+  boundary.written = &Listener::take;
+  boundary.listener = &listener;
+  place_rows<3>(plan, plan.resampling->lattice_rows(), boundary, row);
 }
 
 template <int dim>
@@ -142,22 +152,16 @@ void blend(const BlockPlan& plan, const double* skeleton_x, double* work, double
       for (int c = 0; c < dim; ++c)
         *to++ = skeleton_x[static_cast<std::ptrdiff_t>(dim) * node + c];
     if (resampling != nullptr)
-    {
-      resampling->side_to_equal_steps<dim>(static_cast<int>(side), spare, to, work);
-    }
+      resampling->side_to_equal_steps(static_cast<int>(side), spare, to, work);
     if (!is_product(plan.grid.shape))
       subtract_straight<dim>(sides[side], plan.side_reference[side], boundary.corner, work);
     work += dim * plan.sides[side].size();
   }
   boundary.work = work;
-  if (resampling == nullptr)
-    return place_rows<dim>(plan, plan.rows, boundary, x);
-  double* row = work + kernel_work(plan, dim);
-  ResampledRows<dim> rows(resampling->inside(), plan.rows, row + row_size(plan, dim), x);
-  Listener<dim> listener{row, &rows};
-  boundary.written = &Listener<dim>::take;
-  boundary.listener = &listener;
-  place_rows<dim>(plan, resampling->lattice_rows(), boundary, row);
+  if constexpr (dim == 3)
+    if (resampling != nullptr)
+      return place_resampled(plan, boundary, x);
+  place_rows<dim>(plan, plan.rows, boundary, x);
 }
 
 }  // namespace
@@ -170,7 +174,7 @@ std::size_t work_size(const BlockPlan& plan, int dim)
   std::size_t after_sides = kernel_work(plan, dim);
   // Before the kernel runs, its memory serves to resample the sides.
   if (plan.resampling)
-    after_sides = plan.resampling->work_size(dim) +
+    after_sides = plan.resampling->work_size() +
                   std::max(after_sides + row_size(plan, dim), static_cast<std::size_t>(dim) * largest_side);
   return static_cast<std::size_t>(dim) * boundary_size(plan) + after_sides;
 }

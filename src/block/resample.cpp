@@ -22,6 +22,9 @@ using element::LatticePoint;
 using element::NodeKind;
 using element::Shape;
 
+/// Only solid blocks are resampled.
+constexpr int dim = 3;
+
 /// Weights below this are those of nodes that have none: cells have few nodes, and all weights are of size 1.
 constexpr double rounding = 1e-13;
 
@@ -77,16 +80,15 @@ std::vector<BlockPlan::Row> rows_of_layers(const Grid& nodes, int order,
   std::vector<BlockPlan::Row> rows;
   if (wanted.empty())
     return rows;
-  const auto place = [&](const BlockPlan::Row& row) { return nodes.steps[2] > 0 ? row.k : row.j; };
-  int first = place(wanted.front());
-  int last = place(wanted.back());
+  int first = wanted.front().k;
+  int last = wanted.back().k;
   if (nodes.shape != Shape::prism)  // every level of a prism stands for itself
   {
     first = (first - 1) / order * order;
     last = (last + order - 1) / order * order;
   }
   for (BlockPlan::Row row : all_rows(nodes))
-    if (place(row) >= first && place(row) <= last)
+    if (row.k >= first && row.k <= last)
     {
       row.node = 0;
       rows.push_back(row);
@@ -95,30 +97,27 @@ std::vector<BlockPlan::Row> rows_of_layers(const Grid& nodes, int order,
 }
 
 /// Copies a point, or what two registers hold of it and the number behind.
-template <int dim>
-void copy_point(const double* from, double* to)
+template <int count>
+void copy_numbers(const double* from, double* to)
 {
-  std::array<double, dim> point;
+  std::array<double, count> point;
   std::memcpy(point.data(), from, sizeof(point));
   std::memcpy(to, point.data(), sizeof(point));
 }
 
 /// Numbers of the widest copy that is made for a point before others follow it: one register.
-template <int dim>
-constexpr int with_next = dim == 3 ? 4 : dim;
+constexpr int with_next = 4;
 
 /// Copies every `step`th point to points that follow each other.
-template <int dim>
 void gather_points(const double* from, std::ptrdiff_t step, std::ptrdiff_t count, double* to)
 {
   for (; count > 1; --count, from += dim * step, to += dim)
-    copy_point<with_next<dim>>(from, to);
+    copy_numbers<with_next>(from, to);
   if (count == 1)
-    copy_point<dim>(from, to);
+    copy_numbers<dim>(from, to);
 }
 
 /// Copies the nodes from `begin` to `end` of a row from runs that lie `width` points apart.
-template <int dim>
 void join_runs(const double* runs, std::ptrdiff_t width, int order, int begin, int end, double* to)
 {
   const std::ptrdiff_t run_size = dim * width;
@@ -126,7 +125,7 @@ void join_runs(const double* runs, std::ptrdiff_t width, int order, int begin, i
   const double* box = runs + dim * (begin / order);
   for (int i = begin; i < end - 1; ++i, to += dim)
   {
-    copy_point<with_next<dim>>(box + run * run_size, to);
+    copy_numbers<with_next>(box + run * run_size, to);
     if (++run == order)
     {
       run = 0;
@@ -134,7 +133,7 @@ void join_runs(const double* runs, std::ptrdiff_t width, int order, int begin, i
     }
   }
   if (begin < end)
-    copy_point<dim>(box + run * run_size, to);
+    copy_numbers<dim>(box + run * run_size, to);
 }
 
 /// The boxes with the nodes from `begin` to `end` of a row, for each of its runs.
@@ -160,7 +159,7 @@ private:
 constexpr std::ptrdiff_t spare = 2 * lane_count;
 
 /// Sums of weight_q x[place_q] for some registers.
-template <std::size_t count, int dim, typename Terms>
+template <std::size_t count, typename Terms>
 std::array<Lanes, count> weighted_sums(const Terms& terms, std::size_t parity, const double* x)
 {
   std::array<Lanes, count> sum{};
@@ -172,13 +171,13 @@ std::array<Lanes, count> weighted_sums(const Terms& terms, std::size_t parity, c
 
 /// Writes sum_q weight_q x[place_q], shape (size); reads up to `spare` numbers more of each, and unless told
 /// to write exactly these writes as many more.
-template <int dim, typename Terms>
+template <typename Terms>
 void add_up(const Terms& terms, std::size_t parity, const double* x, std::ptrdiff_t size, bool exactly,
             double* to)
 {
   const auto write = [&]<std::size_t count>(std::ptrdiff_t from, std::integral_constant<std::size_t, count>)
   {
-    const std::array<Lanes, count> sum = weighted_sums<count, dim>(terms, parity, x + from);
+    const std::array<Lanes, count> sum = weighted_sums<count>(terms, parity, x + from);
     if (exactly)
       std::memcpy(to + from, sum.data(), std::min(sizeof(sum), sizeof(double) * (size - from)));
     else
@@ -294,23 +293,21 @@ std::ptrdiff_t LatticeResampler::row_place(int j, int k) const
 }
 
 /// Lanes are read and written past the last number of a layer and of a run.
-std::size_t resampling_work(const LatticeResampler& resampler, int dim)
+std::size_t resampling_work(const LatticeResampler& resampler)
 {
   const std::ptrdiff_t nodes = resampler.plane_size_ * (resampler.order_ + 1) + resampler.row_size_;
   return static_cast<std::size_t>(dim * nodes + 2 * spare);
 }
 
-template <int dim>
-ResampledRows<dim>::ResampledRows(const LatticeResampler& resampler, std::span<const BlockPlan::Row> wanted,
-                                  double* work, double* to)
+ResampledRows::ResampledRows(const LatticeResampler& resampler, std::span<const BlockPlan::Row> wanted,
+                             double* work, double* to)
     : by_(resampler), wanted_(wanted), layer_(work),
       runs_(work + dim * resampler.plane_size_ * (resampler.order_ + 1) + spare), to_(to)
 {
   look_ahead();
 }
 
-template <int dim>
-void ResampledRows<dim>::look_ahead()
+void ResampledRows::look_ahead()
 {
   if (wanted_.empty())
     return;
@@ -322,12 +319,11 @@ void ResampledRows<dim>::look_ahead()
     complete_after_ = {row.k, top(row.j)};
 }
 
-template <int dim>
-void ResampledRows<dim>::add(const BlockPlan::Row& row, const double* x)
+void ResampledRows::add(const BlockPlan::Row& row, const double* x)
 {
   double* to = layer_ + dim * by_.row_place(row.j, row.k);
   for (int run = 0; run < by_.order_; ++run, to += dim * by_.run_size_)
-    gather_points<dim>(x + dim * run, by_.order_, Boxes(row, by_.order_).count(run), to);
+    gather_points(x + dim * run, by_.order_, Boxes(row, by_.order_).count(run), to);
   for (; !wanted_.empty() && std::pair(row.k, row.j) >= complete_after_; look_ahead())
   {
     write(wanted_.front());
@@ -336,20 +332,18 @@ void ResampledRows<dim>::add(const BlockPlan::Row& row, const double* x)
 }
 
 /// The nodes in `count` cells of one kind that follow each other from a box on.
-template <int dim>
-void ResampledRows<dim>::write_run(const LatticeResampler::Candidate& cell, const LatticePoint& box,
-                                   int count, bool exactly, double* to) const
+void ResampledRows::write_run(const LatticeResampler::Candidate& cell, const LatticePoint& box, int count,
+                              bool exactly, double* to) const
 {
   const std::ptrdiff_t row = by_.layered_ == 2 ? by_.order_ * box[1] * by_.row_size_ : 0;
   const double* from = layer_ + dim * (box[0] + row);
   const std::size_t parity = static_cast<std::size_t>(box[by_.layered_]) % 2;
-  add_up<dim>(cell.terms, parity, from, static_cast<std::ptrdiff_t>(dim) * count, exactly, to);
+  add_up(cell.terms, parity, from, dim * static_cast<std::ptrdiff_t>(count), exactly, to);
 }
 
 /// Each node lies in the first of its candidates that exists; along the row each of them exists for boxes
 /// that follow each other, and those that an earlier one has are in their middle.
-template <int dim>
-void ResampledRows<dim>::write(const BlockPlan::Row& row) const
+void ResampledRows::write(const BlockPlan::Row& row) const
 {
   const int order = by_.order_;
   const int j = row.j / order;
@@ -395,8 +389,8 @@ void ResampledRows<dim>::write(const BlockPlan::Row& row) const
         break;
     }
   }
-  join_runs<dim>(runs_, by_.run_size_, order, row.begin, row.end,
-                 to_ + static_cast<std::ptrdiff_t>(dim) * row.node);
+  join_runs(runs_, by_.run_size_, order, row.begin, row.end,
+            to_ + static_cast<std::ptrdiff_t>(dim) * row.node);
 }
 
 Resampling::Resampling(const Grid& nodes, int order, int diagonal, std::span<const BlockPlan::Row> wanted)
@@ -412,25 +406,19 @@ Resampling::Resampling(const Grid& nodes, int order, int diagonal, std::span<con
   }
 }
 
-template <int dim>
 void Resampling::side_to_equal_steps(int side, const double* from, double* work, double* to) const
 {
-  ResampledRows<dim> rows(sides_[side], side_rows_[side], work, to);
+  ResampledRows rows(sides_[side], side_rows_[side], work, to);
   for (const BlockPlan::Row& row : side_rows_[side])
     rows.add(row, from + static_cast<std::ptrdiff_t>(dim) * row.node);
 }
 
-std::size_t Resampling::work_size(int dim) const
+std::size_t Resampling::work_size() const
 {
-  std::size_t result = resampling_work(inside_, dim);
+  std::size_t result = resampling_work(inside_);
   for (const LatticeResampler& side : sides_)
-    result = std::max(result, resampling_work(side, dim));
+    result = std::max(result, resampling_work(side));
   return result;
 }
-
-template class ResampledRows<2>;
-template class ResampledRows<3>;
-template void Resampling::side_to_equal_steps<2>(int, const double*, double*, double*) const;
-template void Resampling::side_to_equal_steps<3>(int, const double*, double*, double*) const;
 
 }  // namespace blockfsi::block

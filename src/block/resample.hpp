@@ -31,9 +31,8 @@ public:
   LatticeResampler(const Grid& nodes, int order, int diagonal, Direction direction, bool keep_last);
 
 private:
-  template <int dim>
   friend class ResampledRows;
-  friend std::size_t resampling_work(const LatticeResampler& resampler, int dim);
+  friend std::size_t resampling_work(const LatticeResampler& resampler);
 
   /// Weight of a node of the same cell.
   struct Term
@@ -73,10 +72,9 @@ private:
 };
 
 /// Numbers that ResampledRows needs as working memory.
-std::size_t resampling_work(const LatticeResampler& resampler, int dim);
+std::size_t resampling_work(const LatticeResampler& resampler);
 
 /// Resamples a lattice that comes row by row, so that one layer of cells is kept, not the lattice.
-template <int dim>
 class ResampledRows
 {
 public:
@@ -86,7 +84,7 @@ public:
 
   /// Takes a whole row, in ascending order; rows of layers without wanted rows may be left out. Writes the
   /// wanted rows all of whose cells are complete.
-  ///   x, shape (length of the row, dim)
+  ///   x, shape (length of the row, 3)
   void add(const BlockPlan::Row& row, const double* x);
 
 private:
@@ -104,7 +102,7 @@ private:
   double* to_;
 };
 
-/// The resampling of a block of a shape with triangles: its sides to equal steps, its inside back.
+/// The resampling of a tetrahedron, a prism or a pyramid: its sides to equal steps, its inside back.
 class Resampling
 {
 public:
@@ -113,11 +111,10 @@ public:
 
   /// The rows at equal steps that the wanted ones need, with 0 as Row::node.
   std::span<const BlockPlan::Row> lattice_rows() const { return rows_; }
-  ///   from, to, shape (size of the side, dim);  work, shape (work_size)
-  template <int dim>
+  ///   from, to, shape (size of the side, 3);  work, shape (work_size)
   void side_to_equal_steps(int side, const double* from, double* work, double* to) const;
   const LatticeResampler& inside() const { return inside_; }
-  std::size_t work_size(int dim) const;
+  std::size_t work_size() const;
 
 private:
   std::vector<BlockPlan::Row> rows_;

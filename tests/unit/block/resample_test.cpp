@@ -56,9 +56,9 @@ double error(Shape shape, int order, std::span<const BlockPlan::Row> wanted, int
   const BlockCells all({shape, {cells, cells, grid.steps[2] / order}}, order, 0);
   const LatticeResampler resampler(grid, order, 0, LatticeResampler::Direction::to_warped,
                                    shape == Shape::prism);
-  std::vector<double> work(resampling_work(resampler, 3), std::nan(""));
+  std::vector<double> work(resampling_work(resampler), std::nan(""));
   std::vector<double> x(3 * static_cast<std::size_t>(size(grid)), std::nan(""));
-  ResampledRows<3> rows(resampler, wanted, work.data(), x.data());
+  ResampledRows rows(resampler, wanted, work.data(), x.data());
   for (const BlockPlan::Row& row : all_rows(grid))
   {
     std::vector<double> values;
