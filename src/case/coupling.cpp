@@ -1,6 +1,11 @@
 #include "case/sections.hpp"
+#include "coupling/predictor.hpp"
 
 #include <fmt/format.h>
+
+#include <optional>
+#include <string>
+#include <variant>
 
 namespace blockfsi::case_file
 {
@@ -78,6 +83,17 @@ const Keys<Parameters>& accelerator_keys()
   return keys;
 }
 
+std::optional<int> read_predictor(const Value& value, Reading& reading)
+{
+  const auto* word = std::get_if<std::string>(&value.content);
+  if (word == nullptr)
+    return integer(value, reading.constants, 0, coupling::highest_order);
+  if (*word != "automatic")
+    fail(value, fmt::format("found {}, allowed is \"automatic\" or a whole number from 0 to {}", found(value),
+                            coupling::highest_order));
+  return std::nullopt;
+}
+
 const Keys<Parameters>& coupling_keys()
 {
   static const Keys<Parameters> keys = {
@@ -88,9 +104,12 @@ const Keys<Parameters>& coupling_keys()
        [](const Value& v, Reading& r, Parameters& p) { p.tolerance = number(v, r.constants, small); }},
       {{"iterations", "whole number", fmt::format("{}", defaults.iterations), "", "at most in one step"},
        [](const Value& v, Reading& r, Parameters& p) { p.iterations = integer(v, r.constants, 1, 10000); }},
-      {{"predictor", "whole number", fmt::format("{}", defaults.predictor), "",
-        "order of the extrapolation of the interface, 0 to 2"},
-       [](const Value& v, Reading& r, Parameters& p) { p.predictor = integer(v, r.constants, 0, 2); }}};
+      {{"predictor", "whole number or \"automatic\"", "automatic", "",
+        fmt::format(
+            "order of the polynomial that extrapolates the interface to the first guess of a step, 0 to {}; "
+            "automatic is the one that would have done best in the last step",
+            coupling::highest_order)},
+       [](const Value& v, Reading& r, Parameters& p) { p.predictor = read_predictor(v, r); }}};
   return keys;
 }
 

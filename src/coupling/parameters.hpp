@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <variant>
 
 namespace blockfsi::coupling
@@ -42,7 +43,8 @@ struct Parameters
   Accelerator accelerator = IqnIls{};
   double tolerance = 1e-5;  ///< |d~ - d| relative to the displacement of the step [-]
   int iterations = 50;      ///< at most
-  int predictor = 2;        ///< order of the extrapolation of the interface, 0..2
+  /// Order of the extrapolation of the interface, 0..highest_order; none: the one that is best at present.
+  std::optional<int> predictor = std::nullopt;
 };
 
 }  // namespace blockfsi::coupling

@@ -35,14 +35,6 @@ struct Report
   Status status = Status::too_many_iterations;
 };
 
-/// Extrapolates the interface to the end of the next step:
-/// order 0: d^n;  1: d^n + ratio (d^n - d^{n-1});  2: 5/2 d^n - 2 d^{n-1} + 1/2 d^{n-2}, for equal steps.
-///   ratio: length of the next step over that of the last one;
-///   d_n, d_n1, d_n2 [m], the last three accepted steps, newest first, and out, all of shape (size); what the
-///   order does not need may be empty. Use a lower order while fewer steps are known.
-void predict(int order, double ratio, std::span<const double> d_n, std::span<const double> d_n1,
-             std::span<const double> d_n2, std::span<double> out);
-
 /// |d~ - d| relative to the displacement of the step |d~ - d_start|, all norms root mean squares, with floors
 /// of `least_displacement` and of 1e-6 |d~|, where rounding and the solvers' own tolerances would be
 /// measured. 0 if d~ equals d, whatever the displacement.

@@ -34,6 +34,8 @@ struct TimeStep
   double step = 0.0;
   double theta = 1.0;
   double geometry = 1.0;
+
+  bool operator==(const TimeStep&) const = default;
 };
 
 }  // namespace blockfsi::fem

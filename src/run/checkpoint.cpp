@@ -99,9 +99,9 @@ output::Arrays Simulation::save() const
     arrays["coupling.residual"] = history.last_residual;
     arrays["coupling.answer"] = history.last_answer;
     arrays["coupling.omega"] = std::vector<double>{history.omega};
-    for (std::size_t i = 0; i < history_.size(); ++i)
-      arrays[fmt::format("interface.{}", i)] = history_[i];
-    arrays["interface.step"] = std::vector<double>{history_step_, static_cast<double>(history_count_)};
+    for (std::size_t i = 0; i < past_.d.size(); ++i)
+      arrays[fmt::format("interface.{}", i)] = past_.d[i];
+    arrays["interface.step"] = std::vector<double>{past_.step, static_cast<double>(past_.d.size())};
   }
   return arrays;
 }
@@ -131,15 +131,14 @@ void Simulation::restore(const output::Arrays& arrays)
     history.last_answer = output::get<Values>(arrays, "coupling.answer");
     history.omega = take(arrays, "coupling.omega", 1)[0];
     acceleration_->restore(std::move(history));
-    for (std::size_t i = 0; i < history_.size(); ++i)
-      history_[i] = take(arrays, fmt::format("interface.{}", i), interface_points_.size());
     const Values step = take(arrays, "interface.step", 2);
-    history_step_ = step[0];
-    history_count_ = static_cast<int>(step[1]);
+    past_ = {{}, step[0]};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(step[1]); ++i)
+      past_.d.push_back(take(arrays, fmt::format("interface.{}", i), interface_points_.size()));
   }
   if (fluid_)
   {
-    fluid_->restore(fluid_state(arrays, "fluid.", fluid_->mesh().node_count()), history_[0],
+    fluid_->restore(fluid_state(arrays, "fluid.", fluid_->mesh().node_count()), past_.d.front(),
                     output::get<Values>(arrays, "fluid.mesh_memory"));
     fluid_->solver().restore(fluid_linearisation(arrays, "fluid.linearisation."));
   }

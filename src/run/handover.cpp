@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <map>
 #include <span>
+#include <string>
 #include <utility>
 
 namespace blockfsi::run
@@ -241,9 +242,13 @@ output::Arrays Handover::body_of(const Simulation& from, const Simulation& to) c
   output::Arrays next = to.save();
   next["time"] = Values{from.time(), from.time(), to.description().time.step};
   next["step"] = std::vector<std::int64_t>{from.step(), from.step()};
-  for (const char* name : {"interface.0", "interface.1", "interface.2"})
+  const Values step = values("interface.step");
+  next["interface.step"] = step;
+  for (int i = 0; i < static_cast<int>(step[1]); ++i)
+  {
+    const std::string name = fmt::format("interface.{}", i);
     next[name] = pick(values(name), interface_);
-  next["interface.step"] = values("interface.step");
+  }
   for (const char* name : {"solid.d", "solid.v"})
     next[name] = pick(gather_owned(*from.solid(), values(name)), body_);
   next["fluid.times"] = values("fluid.times");

@@ -62,7 +62,7 @@ Simulation::Simulation(const case_file::Case& description)
     solid_skeleton_x_ = own->skeleton.x;
   if (fluid_ && solid_)
     acceleration_ = std::make_unique<coupling::Acceleration>(case_.coupling, interface_points_.size());
-  history_.assign(3, std::vector<double>(interface_points_.size(), 0.0));
+  past_.d.emplace_back(interface_points_.size(), 0.0);
 }
 
 Simulation::~Simulation() = default;
@@ -176,16 +176,12 @@ bool Simulation::substep(const fem::TimeStep& step, StepReport& report)
 bool Simulation::couple(const fem::TimeStep& step, StepReport& report)
 {
   std::vector<double> d(interface_points_.size());
-  // An interface that stood still for the first step of another length would push hard at the fluid.
-  const double ratio = history_count_ > 0 ? step.step / history_step_ : 1.0;
-  const int known = ratio == 1.0 ? history_count_ : 1;
-  coupling::predict(std::min(case_.coupling.predictor, known), ratio, history_[0], history_[1], history_[2],
-                    d);
+  coupling::predict(case_.coupling.predictor, past_, step.step, d);
   const coupling::Limits limits{case_.coupling.tolerance, case_.coupling.iterations, 0.0};
   const coupling::Report coupled =
       coupling::solve_partitioned([&](std::span<const double> input, std::span<double> answer)
                                   { return evaluate(input, answer, report); },
-                                  *acceleration_, limits, d, history_[0]);
+                                  *acceleration_, limits, d, past_.d.front());
   report.coupling_iterations += coupled.iterations;
   if (coupled.status != coupling::Status::converged)
   {
@@ -196,7 +192,7 @@ bool Simulation::couple(const fem::TimeStep& step, StepReport& report)
                       when(), coupled.iterations, coupled.residuals.empty() ? NAN : coupled.residuals.back());
     return false;
   }
-  keep_interface(d, step.step);
+  coupling::remember(past_, d, step.step);
   return true;
 }
 
@@ -261,14 +257,6 @@ bool Simulation::account(std::string_view what, const linalg::NewtonReport& solv
     return true;
   report.failure = explain(what, solved) + " " + when();
   return false;
-}
-
-void Simulation::keep_interface(std::span<const double> d, double step)
-{
-  std::rotate(history_.begin(), history_.end() - 1, history_.end());
-  history_.front().assign(d.begin(), d.end());
-  history_count_ = step == history_step_ ? std::min(history_count_ + 1, 2) : 1;
-  history_step_ = step;
 }
 
 }  // namespace blockfsi::run

@@ -4,6 +4,7 @@
 #include "core/timing.hpp"
 #include "coupling/accelerator.hpp"
 #include "coupling/partitioned.hpp"
+#include "coupling/predictor.hpp"
 #include "output/checkpoint.hpp"
 #include "run/fluid_side.hpp"
 #include "run/solid_side.hpp"
@@ -69,7 +70,7 @@ public:
   std::int64_t unknown_count() const;
   /// Accepted displacement of the solid's interface that the fluid has followed [m], shape (solid interface
   /// count, 2).
-  std::span<const double> interface_displacement() const { return history_.front(); }
+  std::span<const double> interface_displacement() const { return past_.d.front(); }
 
   /// Everything that the next step depends on, for this process.
   output::Arrays save() const;
@@ -87,7 +88,6 @@ private:
   bool solve_solid(std::span<const double> load, StepReport& report);
   bool account(std::string_view what, const linalg::NewtonReport& solved, int& iterations,
                StepReport& report) const;
-  void keep_interface(std::span<const double> d, double step);
   std::string when() const;
 
   case_file::Case case_;
@@ -103,11 +103,7 @@ private:
   /// Where the present length of step began: not at the start if a restart changed it.
   std::int64_t start_step_ = 0;
   double start_time_ = 0.0;
-  /// Displacement of the interface at the last accepted (sub)steps, newest first.
-  std::vector<std::vector<double>> history_;
-  /// Length of the step that led to the newest, and how many in a row had it.
-  double history_step_ = 0.0;
-  int history_count_ = 0;
+  coupling::Past past_;  ///< of the interface, accepted (sub)steps
 };
 
 }  // namespace blockfsi::run

@@ -162,12 +162,9 @@ void Solver::add_tractions(double time, double factor, std::span<double> residua
 linalg::NewtonReport Solver::solve(const Body& body, std::span<const double> origin,
                                    std::span<const double> constant, std::span<double> d)
 {
-  // A thin body is stiff against stretching and soft against bending: old factors lead far astray when it
-  // turns, so every solution begins with fresh ones.
-  linalg::Factors factors;
   Problem problem{*this, body, origin, constant};
   const linalg::NewtonLimits limits{parameters_.newton.tolerance, parameters_.newton.iterations, 2.0};
-  return linalg::newton(limits, system_, factors, problem, d, *timings_);
+  return linalg::newton(limits, system_, factors_, problem, d, *timings_);
 }
 
 linalg::NewtonReport Solver::advance(const fem::TimeStep& step, const State& old,
@@ -195,6 +192,10 @@ linalg::NewtonReport Solver::advance(const fem::TimeStep& step, const State& old
   apply_conditions(step.t + step.step, 1.0, d);
   const Body body{material_, parameters_.density / (theta * step.step * step.step), parameters_.density,
                   theta};
+  // A thin body is stiff against stretching and soft against bending: factors of another step, in which it
+  // pointed elsewhere, lead far astray.
+  factors_.stale = factors_.stale || step != factored_step_;
+  factored_step_ = step;
   return solve(body, origin, constant, d);
 }
 
@@ -216,6 +217,7 @@ linalg::NewtonReport Solver::solve_static(std::span<const double> load, std::spa
         constant[2 * node + c] -= factor * load[2 * node + c];
     apply_conditions(0.0, factor, d);
     const Body body{material_, 0.0, factor * parameters_.density, 1.0};
+    factors_.stale = true;
     const linalg::NewtonReport one = solve(body, origin, constant, d);
     report.status = one.status;
     report.iterations += one.iterations;

@@ -43,7 +43,7 @@ public:
 
   /// Displacement at the end of a step under nodal loads [N/m], shape (node_count, 2), that act at
   /// t + theta step; complete at owned nodes (other entries are ignored). `d` is the first guess and the
-  /// result.
+  /// result. Factors are kept as long as the step is the same.
   [[nodiscard]] linalg::NewtonReport advance(const fem::TimeStep& step, const State& old,
                                              std::span<const double> load, std::span<double> d);
 
@@ -84,6 +84,8 @@ private:
   Lame material_;
   std::vector<double> body_force_;
   linalg::System system_;
+  linalg::Factors factors_;
+  fem::TimeStep factored_step_;
 };
 
 }  // namespace blockfsi::solid

@@ -152,7 +152,8 @@ class Failure(RunTest):
 
     def test_a_step_whose_mesh_folds_is_cut_and_the_run_goes_on(self):
         soft = "solid.model.saint_venant_kirchhoff={young=2e3, poisson=0.35}"
-        strong = (soft, "let.U=22", "time.step=0.05", "time.end=0.2")
+        # Four steps are too few for the third order: the first guess of the last one folds the mesh.
+        strong = (soft, "let.U=22", "time.step=0.05", "time.end=0.2", "coupling.predictor=3")
         output = self.call(*self.words(*strong)).stdout
         self.assertRegex(output, r"(?m)^step \d was done in \d pieces: the fluid mesh folds over in step \d")
         table = read_table(self.folder / "results/quality.csv")

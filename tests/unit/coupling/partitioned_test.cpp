@@ -1,4 +1,5 @@
 #include "coupling/partitioned.hpp"
+#include "coupling/predictor.hpp"
 
 #include "toy.hpp"
 
@@ -23,24 +24,6 @@ AddedMass loaded(std::size_t size, double mu_0)
 }
 
 }  // namespace
-
-TEST_CASE("predictors of order k are exact for polynomials of degree k, order 2 up to half the curvature")
-{
-  const Vector linear[] = {{3.0, -1.0}, {2.0, -3.0}, {1.0, -5.0}};  // newest first
-  Vector out(2);
-  predict(0, 1.0, linear[0], {}, {}, out);
-  CHECK(out == linear[0]);
-  predict(1, 1.0, linear[0], linear[1], {}, out);
-  CHECK(out == Vector{4.0, 1.0});
-  predict(1, 0.5, linear[0], linear[1], {}, out);
-  CHECK(out == Vector{3.5, 0.0});
-  predict(2, 1.0, linear[0], linear[1], linear[2], out);
-  CHECK(out == Vector{4.0, 1.0});
-  // 5/2 t_0^2 - 2 t_1^2 + 1/2 t_2^2 for t = 3, 2, 1 is 15, where linear extrapolation has 14 and t = 4
-  // gives 16.
-  predict(2, 1.0, Vector{9.0}, Vector{4.0}, Vector{1.0}, std::span(out).first(1));
-  CHECK(out[0] == 15.0);
-}
 
 TEST_CASE("the relative residual is measured by the displacement of the step")
 {
@@ -145,19 +128,18 @@ TEST_CASE("over a series of steps quasi-Newton with reuse needs few evaluations,
   {
     AddedMass problem(120, 3.0);
     Acceleration acceleration({.accelerator = method}, 120);
-    Vector d(120, 0.0), d_1 = d, d_2 = d, d_3 = d;
+    Vector d(120, 0.0);
+    Past past{{d}};
     int sum = 0;
     for (int step = 1; step <= 30; ++step)
     {
       const double t = 0.05 * step;
       problem.set_load({std::sin(3 * t), std::cos(2 * t), std::sin(t), 0.3 * std::sin(7 * t)});
-      predict(std::min(step - 1, 2), 1.0, d_1, d_2, d_3, d);
-      const Report report = solve_partitioned(problem, acceleration, {.tolerance = 1e-6}, d, d_1);
+      predict(1, past, 1.0, d);
+      const Report report = solve_partitioned(problem, acceleration, {.tolerance = 1e-6}, d, past.d.front());
       CHECK(report.status == Status::converged);
       sum += step > 5 ? report.iterations : 0;
-      d_3 = d_2;
-      d_2 = d_1;
-      d_1 = d;
+      remember(past, d, 1.0);
     }
     return sum / 25.0;
   };
