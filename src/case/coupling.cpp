@@ -107,7 +107,7 @@ const Keys<Parameters>& coupling_keys()
       {{"predictor", "whole number or \"automatic\"", "automatic", "",
         fmt::format(
             "order of the polynomial that extrapolates the interface to the first guess of a step, 0 to {}; "
-            "automatic is the one that would have done best in the last step",
+            "automatic is the one that would have done best in the last steps",
             coupling::highest_order)},
        [](const Value& v, Reading& r, Parameters& p) { p.predictor = read_predictor(v, r); }}};
   return keys;

@@ -11,16 +11,17 @@ namespace blockfsi::run
 namespace
 {
 
-constexpr std::string_view mismatch = "the checkpoint belongs to another case: ";
+[[noreturn]] void refuse(std::string_view why)
+{
+  throw Error(fmt::format("the checkpoint belongs to another case: {}; start anew without --restart", why));
+}
 
 /// An array of a checkpoint that must have as many entries as this run has.
 std::vector<double> take(const output::Arrays& arrays, const std::string& name, std::size_t size)
 {
   std::vector<double> values = output::get<std::vector<double>>(arrays, name);
   if (values.size() != size)
-    throw Error(
-        fmt::format("{}its array '{}' has {} entries where this case needs {}; start anew without --restart",
-                    mismatch, name, values.size(), size));
+    refuse(fmt::format("its array '{}' has {} entries where this case needs {}", name, values.size(), size));
   return values;
 }
 
@@ -111,12 +112,12 @@ void Simulation::restore(const output::Arrays& arrays)
   using Values = std::vector<double>;
   if (output::get<Values>(arrays, "skeleton") != skeleton_.x ||
       output::get<Values>(arrays, "solid.skeleton") != solid_skeleton_x_)
-    throw Error(fmt::format("{}its blocks or divisions are others; start anew without --restart", mismatch));
+    refuse("its blocks or divisions are others");
   const Values clock = take(arrays, "time", 3);
   const bool same_steps = clock[2] == case_.time.step;
   const auto steps = output::get<std::vector<std::int64_t>>(arrays, "step");
   if (steps.size() < 2)
-    throw Error(fmt::format("{}it was written by another version; start anew without --restart", mismatch));
+    refuse("it was written by another version");
   step_ = steps[0];
   time_ = clock[0];
   start_step_ = same_steps ? steps[1] : step_;
@@ -132,6 +133,8 @@ void Simulation::restore(const output::Arrays& arrays)
     history.omega = take(arrays, "coupling.omega", 1)[0];
     acceleration_->restore(std::move(history));
     const Values step = take(arrays, "interface.step", 2);
+    if (step[1] < 1.0)
+      refuse("it was written by another version");
     past_ = {{}, step[0]};
     for (std::size_t i = 0; i < static_cast<std::size_t>(step[1]); ++i)
       past_.d.push_back(take(arrays, fmt::format("interface.{}", i), interface_points_.size()));
