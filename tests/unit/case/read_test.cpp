@@ -182,6 +182,19 @@ TEST_CASE("an override may add a section")
   CHECK(std::get<coupling::Aitken>(read.coupling.accelerator).initial == 0.2);
 }
 
+TEST_CASE("the predictor is an order, or automatic, which is the default")
+{
+  CHECK(case_file::read(wall_ramm, {"coupling.predictor=5"}).coupling.predictor == 5);
+  CHECK_FALSE(
+      case_file::read(wall_ramm, {"coupling.predictor=\"automatic\""}).coupling.predictor.has_value());
+  CHECK_FALSE(case_file::read(wall_ramm).coupling.predictor.has_value());
+  CHECK(complaint(wall_ramm, {"coupling.predictor=6"}) ==
+        "--set: [coupling] predictor: found 6, allowed is a whole number from 0 to 5");
+  CHECK(
+      complaint(wall_ramm, {"coupling.predictor=\"best\""}) ==
+      "--set: [coupling] predictor: found \"best\", allowed is \"automatic\" or a whole number from 0 to 5");
+}
+
 TEST_CASE("mistakes in overrides are told as such")
 {
   CHECK(complaint(wall_ramm, {"time.end=-1"}) == "--set: [time] end: found -1, allowed is a number > 0");
