@@ -1,5 +1,7 @@
 #include "coupling/predictor.hpp"
 
+#include "element/line.hpp"
+
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
@@ -14,17 +16,14 @@ namespace
 /// Value at `ratio` of the polynomial through known[j] at -j.
 void extrapolate(std::span<const std::vector<double>> known, double ratio, std::span<double> out)
 {
+  std::vector<double> times(known.size());
+  for (std::size_t j = 0; j < times.size(); ++j)
+    times[j] = -static_cast<double>(j);
+  const element::Table functions = element::lagrange(times, std::span(&ratio, 1));
   std::fill(out.begin(), out.end(), 0.0);
-  const int count = static_cast<int>(known.size());
-  for (int j = 0; j < count; ++j)
-  {
-    double weight = 1.0;
-    for (int m = 0; m < count; ++m)
-      if (m != j)
-        weight *= (ratio + m) / (m - j);
+  for (std::size_t j = 0; j < times.size(); ++j)
     for (std::size_t i = 0; i < out.size(); ++i)
-      out[i] += weight * known[j][i];
-  }
+      out[i] += functions.value[j] * known[j][i];
 }
 
 /// Sum of squares by which the newest differs from its prediction from all the others.

@@ -85,7 +85,7 @@ TEST_CASE("the best order is the one that would have found the newest")
   CHECK(best_order(sampled([](double t) { return 2.0 - t; }, most_kept)) == 1);
   CHECK(best_order(sampled([](double t) { return t * t; }, most_kept)) == 2);
   CHECK(best_order(sampled([](double t) { return std::sin(0.1 * t); }, most_kept)) == highest_order);
-  // Sampled too coarsely, or ringing, all orders make it worse: of cos(2 t) order 0 misses least at t = 7.
+  // Order k misses what rings by 2^k times its amplitude from step to step.
   const auto ringing = [](double t) { return std::fmod(t, 2.0) == 0.0 ? 1.0 : 1.1; };
   CHECK(best_order(sampled(ringing, most_kept)) == 0);
 }
